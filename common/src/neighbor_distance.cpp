@@ -19,9 +19,6 @@
 
 namespace {
 
-constexpr double radius_factor = 2.5;     // Eq. (2.9)
-constexpr unsigned closest_neighbors = 8; // k of Eq. (2.1), which gives no value
-
 /** At most some points of each place: with many points in one place, each search would
  * visit all of them. */
 struct ThinnedPoints {

@@ -4,6 +4,8 @@
  */
 #include <pcl/indoor/point_resolution.h>
 
+#include <pcl/indoor/neighbor_distance.h> // for closest_neighbors
+#include <pcl/indoor/point_cells.h>
 #include <pcl/indoor/quantile.h>
 
 #include <algorithm>
@@ -16,7 +18,6 @@
 namespace {
 
 constexpr std::size_t sample_count = 2000;
-constexpr std::size_t closest_count = 8; // k of Eq. (2.1)
 
 /** The same point whatever the order of the input. */
 std::uint32_t
@@ -34,7 +35,7 @@ firstPoint(const std::vector<Eigen::Vector3f>& points,
 
 /** The distances of a point to its closest others in its cell and those around,
  * ascending; infinite where there are fewer. */
-using Closest = std::array<float, closest_count>;
+using Closest = std::array<float, pcl::indoor::closest_neighbors>;
 
 Closest
 closestOthers(const std::vector<Eigen::Vector3f>& points,
@@ -125,15 +126,8 @@ spacingOf(const std::vector<Eigen::Vector3f>& points,
 namespace pcl::indoor {
 
 double
-medianResolution(const std::vector<Eigen::Vector3f>& points, const PointCells& cells)
-{
-  return spacingOf(points, cells).nearest;
-}
-
-double
 raisedToResolution(const std::vector<Eigen::Vector3f>& points, double voxel_size)
 {
-  constexpr double factor = 2.5; // Eq. (2.9)
   constexpr int most_doublings = 12;
   double cell_size = voxel_size, resolution = 0;
   for (int i = 0; i < most_doublings && points.size() > 1; ++i, cell_size *= 2) {
@@ -148,7 +142,7 @@ raisedToResolution(const std::vector<Eigen::Vector3f>& points, double voxel_size
       resolution = spacing.beyond_copies;
     break;
   }
-  return std::max(voxel_size, factor * resolution);
+  return std::max(voxel_size, radius_factor * resolution);
 }
 
 } // namespace pcl::indoor

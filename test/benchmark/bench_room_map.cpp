@@ -4,7 +4,6 @@
  */
 
 #include "floor_map.h"
-#include "rooms/space/visibility.h"
 #include "thesis/rooms/field_connectivity.h"
 #include "thesis/rooms/map_labels.h"
 #include "thesis/rooms/map_random_walker.h"
@@ -129,12 +128,9 @@ randomWalker(benchmark::State& state)
   const FloorMap map(static_cast<int>(state.range(0)));
   const auto labels = topLabels(map);
   const auto mask = interiorMask(map);
-  pcl::indoor::MapRandomWalkerOptions options;
-  options.beta = 0.01;
-  options.threads = 2;
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        pcl::indoor::mapRandomWalker(map.field, labels, mask, options));
+        pcl::indoor::mapRandomWalker(map.field, labels, mask, 0.01, 2));
 }
 BENCHMARK(randomWalker)
     ->Arg(100)
@@ -148,12 +144,10 @@ labelVoxels(benchmark::State& state)
 {
   const FloorMap map(static_cast<int>(state.range(0)));
   const auto labels =
-      pcl::indoor::mapRandomWalker(map.field, topLabels(map), interiorMask(map), {});
-  pcl::indoor::VoxelLabelOptions options;
-  options.threads = 2;
+      pcl::indoor::mapRandomWalker(map.field, topLabels(map), interiorMask(map), 1.0);
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        pcl::indoor::labelVoxels(map.occupancy, map.interior, labels, options));
+        pcl::indoor::labelVoxels(map.occupancy, map.interior, labels, 2));
   state.counters["voxels"] = static_cast<double>(map.occupancy.shape.size());
 }
 BENCHMARK(labelVoxels)

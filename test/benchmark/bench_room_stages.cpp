@@ -69,10 +69,9 @@ normals(benchmark::State& state)
 {
   const auto points = floorPoints(state.range(0));
   const OccupancyGrid grid = gridOf(points);
-  VoxelNormalsOptions options;
-  options.threads = static_cast<int>(state.range(1));
+  const auto threads = static_cast<int>(state.range(1));
   for (auto _ : state)
-    benchmark::DoNotOptimize(voxelNormals(points, grid, options).weights.data());
+    benchmark::DoNotOptimize(voxelNormals(points, grid, threads).weights.data());
 }
 
 void

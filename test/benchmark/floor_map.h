@@ -5,9 +5,9 @@
 
 #pragma once
 
-#include "rooms/space/visibility.h"
 #include "thesis/rooms/field_connectivity.h"
 #include "thesis/rooms/potential_field.h"
+#include "thesis/rooms/visibility_vectors.h"
 
 #include <random>
 

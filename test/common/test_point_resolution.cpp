@@ -6,13 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <random>
 #include <vector>
 
 using namespace pcl::indoor;
 
-TEST(MedianResolution, IsTheSpacingOfARegularGridInCellsOfAnySize)
+TEST(RaisedToResolution, IsByTheSpacingOfARegularGrid)
 {
   std::vector<Eigen::Vector3f> points;
   for (int i = 0; i < 40; ++i)
@@ -20,9 +19,6 @@ TEST(MedianResolution, IsTheSpacingOfARegularGridInCellsOfAnySize)
       points.emplace_back(
           0.02f * static_cast<float>(i), 0.02f * static_cast<float>(j), 0);
   points.emplace_back(100.0f, 0.0f, 0.0f); // an outlier
-  for (const double size : {0.02, 0.05, 0.3})
-    EXPECT_NEAR(medianResolution(points, groupByCell(points, size)), 0.02, 1e-6);
-  EXPECT_TRUE(std::isinf(medianResolution(points, groupByCell(points, 0.005))));
   EXPECT_NEAR(raisedToResolution(points, 0.01), 0.05, 1e-5);
   EXPECT_NEAR(raisedToResolution(points, 0.003), 0.05, 1e-5);
   EXPECT_EQ(raisedToResolution(points, 0.06), 0.06);

@@ -58,14 +58,12 @@ storeysOfPoints(const std::vector<Eigen::Vector3f>& points,
 
 /** How many points of a storey each column holds. */
 PixelMap<std::uint32_t>
-pointsOfColumns(const std::vector<std::uint8_t>& storey_of,
-                std::size_t storey,
-                const OccupancyGrid& occupancy)
+pointsOfColumns(const StoreyPoints& points, const OccupancyGrid& occupancy)
 {
   const GridShape& shape = occupancy.grid.shape;
   auto counts = PixelMap<std::uint32_t>::filled(shape.nx, shape.ny, 0);
-  for (std::size_t i = 0; i < storey_of.size(); ++i)
-    if (occupancy.cells[i] >= 0 && storey_of[i] == storey)
+  for (std::size_t i = 0; i < points.storey_of.size(); ++i)
+    if (occupancy.cells[i] >= 0 && points.storey_of[i] == points.storey)
       ++counts.values[occupancy.cells[i] / shape.nz];
   return counts;
 }
@@ -240,6 +238,24 @@ mapStoreys(const DetailedBuilding& building,
   return mapped;
 }
 
+/** Take what is no room out of the map of the last storey. */
+void
+keepRooms(const StoreySpace& space,
+          const StoreyPoints& points,
+          const StationViews& views,
+          OpenGround& ground,
+          DetailedBuilding& building)
+{
+  RoomMap& map = building.room_maps.back();
+  dropStreets(space, map);
+  dropOutdoors(space, ground, map);
+  building.hardly_seen += dropSeenThroughOpenings(space, map);
+  building.hardly_seen +=
+      dropHardlySeen(space, pointsOfColumns(points, building.occupancy), map);
+  views.joinMirrored(points, map);
+  building.never_entered += views.dropNeverEntered(points, map);
+}
+
 /** The rooms in which the stations of a storey stand. */
 void
 placeStations(const StationViews& views, std::size_t storey, DetailedBuilding& building)
@@ -295,13 +311,7 @@ segmentDistinct(const RoomWay& way,
     const StoreySpace& space = mapped[s % at_once].space;
     RoomMap& map = building.room_maps.emplace_back();
     map = std::move(mapped[s % at_once].map);
-    dropStreets(space, map);
-    dropOutdoors(space, ground, map);
-    building.hardly_seen += dropSeenThroughOpenings(space, map);
-    building.hardly_seen +=
-        dropHardlySeen(space, pointsOfColumns(storey_of, s, building.occupancy), map);
-    views.joinMirrored({storey_of, s}, map);
-    building.never_entered += views.dropNeverEntered({storey_of, s}, map);
+    keepRooms(space, {storey_of, s}, views, ground, building);
     auto& room_of = building.room_of.emplace_back();
     for (std::int32_t label = 0; label <= map.room_count; ++label)
       room_of.push_back(label == 0 ? 0 : ++room_count);

@@ -28,7 +28,7 @@ public:
         static_cast<std::uint64_t>(std::ceil(0.2 * height_ / space.cell_size)))
   {
     for (const auto& gap : space.gaps)
-      if (gap.high - gap.low > 0.4 * height_)
+      if (gap.high - gap.low > 0.4 * height_) // over tables, too
         gaps_.push_back(gap);
   }
 
@@ -64,7 +64,7 @@ private:
   bool
   isSame(float a, float b) const
   {
-    return std::abs(difference(a, b)) < 0.06;
+    return std::abs(difference(a, b)) < 0.06; // some 15 cm
   }
 
   /** The other end stays level. */
@@ -74,7 +74,7 @@ private:
     const bool is_low = end == &Gap::low;
     const double height =
         is_low ? difference(next.low, gap.low) : difference(gap.high, next.high);
-    return height > 0.1 && height < 0.5 &&
+    return height > 0.1 && height < 0.5 && // furniture has some 25 to 125 cm
            (is_low ? isSame(gap.high, next.high) : isSame(gap.low, next.low));
   }
 
@@ -127,7 +127,7 @@ ObjectsAtEnds::clearEnd(double times) const
 {
   // Furnished homes and offices have 0.04 to 0.14 per column, and 1.5 to 50 times as
   // many at the floor; empty buildings less than 0.04, at either end.
-  constexpr int enough = 20;
+  constexpr int enough = 20; // columns at the sides of objects
   constexpr double per_column = 0.04;
   const int more = std::max(low, high), less = std::min(low, high);
   const bool is_clear = more >= enough &&

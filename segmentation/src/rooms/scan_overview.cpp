@@ -5,6 +5,8 @@
 
 #include <pcl/segmentation/scan_overview.h>
 
+#include "rooms/dimensions.h"
+#include "rooms/scan_sample.h"
 #include "rooms/space/block_extent.h"
 #include "rooms/space/closed_surfaces.h"
 #include "rooms/space/interior_space.h"
@@ -52,7 +54,7 @@ sampleOf(const Points& points, std::size_t one_in)
 double
 duplicateShare(const Points& sample)
 {
-  constexpr std::size_t few = 100;
+  constexpr std::size_t few = 100; // points in one place
   const auto distinct = distinctPoints(sample);
   std::vector<std::size_t> counts(distinct.first.size(), 0);
   for (const auto place : distinct.place)
@@ -76,8 +78,7 @@ gridOf(const Points& points)
   constexpr double most_voxels = 2e7; // 80 MB in spacingOf()
   OccupancyGridOptions options;
   options.threads = 1; // others would take longer to wake up
-  const Box box = blockExtent(
-      points, {options.block_size, options.max_growth, options.min_density, 1});
+  const Box box = blockExtent(points, options.threads);
   const double volume = (box.high - box.low + Eigen::Vector3d::Ones()).prod();
   options.voxel_size = std::max(options.voxel_size, std::cbrt(volume / most_voxels));
   auto grid = occupancyGrid(points, options);
@@ -195,14 +196,14 @@ scanOverview(const std::vector<Eigen::Vector3f>& points,
              const Eigen::Vector3f& up_axis,
              double metres_per_unit)
 {
-  constexpr std::size_t enough = 200000, few = 15000;
+  constexpr std::size_t enough = 200000; // points
   ScanOverview overview;
   if (points.empty())
     return overview;
   // a quarter of large scans, so that their surfaces have no holes
   const auto one_in = std::min<std::size_t>(points.size() / enough, 4);
   Points sample = sampleOf(points, one_in);
-  overview.duplicates = duplicateShare(sampleOf(sample, points.size() / few));
+  overview.duplicates = duplicateShare(sampleOf(sample, points.size() / sample_size));
   moveIntoBuildingFrame(sample, up_axis, metres_per_unit);
   takeOutFarPoints(sample);
   if (sample.empty())

@@ -27,13 +27,14 @@ using Points = std::vector<Eigen::Vector3f>;
 using KeyedPoints = std::vector<std::pair<std::uint64_t, std::uint32_t>>;
 
 constexpr double points_per_cell = 4.0; // a surface without holes, where it is average
+constexpr int levels = 12; // of an octree, each half as large as the one before
 
 /** A coordinate's bits with two places between each two. */
 std::uint64_t
 spread(std::uint64_t value)
 {
   std::uint64_t result = 0;
-  for (int bit = 0; bit < 12; ++bit)
+  for (int bit = 0; bit < levels; ++bit)
     result |= (value >> bit & 1) << 3 * bit;
   return result;
 }
@@ -42,7 +43,6 @@ spread(std::uint64_t value)
 double
 cellSize(const Points& sample, const SampleCells& cells)
 {
-  constexpr int levels = 12; // of an octree, each half as large as the one before
   std::vector<std::uint64_t> keys;
   for (const auto& point : sample) {
     if (!cells.contains(point))
@@ -149,7 +149,6 @@ SampleCells::place(const Eigen::Vector3f& point, int axis, double cell_size) con
 Points
 samplePoints(const Points& points)
 {
-  constexpr std::size_t sample_size = 15000;
   const auto one_in =
       static_cast<std::uint32_t>(std::max<std::size_t>(1, points.size() / sample_size));
   Points sample;

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -42,8 +43,11 @@ struct Gap {
   float low = 0.0f, high = 0.0f;
 };
 
-/** \brief Some 15,000 points, chosen by the bits of their coordinates: the same in any
- * order; sorted. */
+/** \brief So many points tell what holds for most of a scan. */
+constexpr std::size_t sample_size = 15000;
+
+/** \brief Some sample_size points, chosen by the bits of their coordinates: the same in
+ * any order; sorted. */
 std::vector<Eigen::Vector3f>
 samplePoints(const std::vector<Eigen::Vector3f>& points);
 

@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include <pcl/segmentation/scan_overview.h> // for likelyMetresPerUnit
 #include <pcl/segmentation/scan_warnings.h>
 
 #include "rooms/dimensions.h"
@@ -17,8 +18,9 @@
 namespace pcl::indoor {
 namespace {
 
-constexpr double foot = 0.3048;
-constexpr double highest_room = 50.0; // metres, the lowest one in inches
+constexpr double foot = 0.3048;            // metres
+constexpr double highest_room = 50.0;      // metres, the lowest one in inches
+constexpr double highest_usual_room = 3.5; // metres
 
 struct Unit {
   double metres;
@@ -32,6 +34,20 @@ constexpr Unit units[] = {{1.0, "1", "metres", "m"},
                           {0.0254, "0.0254", "inches", "in"},
                           {0.01, "0.01", "centimetres", "cm"},
                           {0.001, "0.001", "millimetres", "mm"}};
+
+/** Both ends belong to it. */
+bool
+isBetween(double low, double value, double high)
+{
+  return low <= value && value <= high;
+}
+
+/** Rooms as people build them, by their heights in metres. */
+bool
+isUsualRoom(double height)
+{
+  return isBetween(2.0, height, highest_usual_room);
+}
 
 /** The one of these that has so many metres. */
 const Unit&
@@ -95,7 +111,7 @@ closedShare(const std::vector<Room>& rooms)
 struct Passages {
   explicit Passages(const std::vector<RoomOpening>& openings)
   {
-    constexpr double clear = 0.1; // metres; a lintel of 0.2 m
+    constexpr double clear = 0.5 * lintel_height; // above the middle of the passage
     for (const RoomOpening& opening : openings) {
       hanging += opening.rise > clear;
       standing += opening.rise < -clear;
@@ -113,14 +129,19 @@ struct Passages {
   int hanging = 0, standing = 0;
 };
 
-/** Both ends belong to it. */
-bool
-isBetween(double low, double value, double high)
-{
-  return low <= value && value <= high;
-}
-
 } // namespace
+
+double
+likelyMetresPerUnit(double length)
+{
+  constexpr double room_height = 2.5; // metres
+  double best = 1.0;
+  for (const Unit& unit : units)
+    if (std::abs(std::log(length * unit.metres / room_height)) <
+        std::abs(std::log(length * best / room_height)))
+      best = unit.metres;
+  return best;
+}
 
 double
 metresPerUnit(double room_height)
@@ -150,11 +171,11 @@ unitWarning(const Vertical& vertical, double metres_per_unit)
     return likely == metres_per_unit ? std::string() : unitLine(likely, height);
   }
   // objects that stand in rooms of a hall's height are as high as in homes
-  if (metres_per_unit == 1.0 && vertical.is_furnished &&
-      isBetween(2.0, foot * height, 3.5))
+  if (metres_per_unit == 1.0 && vertical.is_furnished && isUsualRoom(foot * height))
     return unitLine(foot, height);
   if ((vertical.has_rooms && height < standing_height) ||
-      (metres_per_unit == 1.0 && vertical.is_furnished && foot * height > 3.5))
+      (metres_per_unit == 1.0 && vertical.is_furnished &&
+       foot * height > highest_usual_room))
     return "The scale of the scan is probably wrong: its rooms seem to be " +
            heightText(height) + " high; scale the points, or set the unit (-unit).";
   return {};
@@ -165,16 +186,15 @@ feetWarning(const std::vector<Room>& rooms,
             const std::vector<RoomOpening>& openings,
             double metres_per_unit)
 {
-  // What people build: rooms of 2 to 3.5 m with doors of 1.8 to 2.5 m. In feet taken
-  // for metres, furniture is taken for storeys in parts, so not all rooms will fit.
-  const auto is_room = [](double height) { return isBetween(2.0, height, 3.5); };
+  // In feet taken for metres, furniture is taken for storeys in parts, so not all rooms
+  // will be as usual.
   const auto is_door = [](double height) { return isBetween(1.8, height, 2.5); };
   constexpr int several = 5; // more than the aisles of a church
   double area = 0.0, fitting = 0.0, height = 0.0;
   int high_rooms = 0, high_doors = 0, doors = 0;
   for (const Room& room : rooms) {
     area += room.area;
-    if (!is_room(foot * room.height))
+    if (!isUsualRoom(foot * room.height))
       continue;
     ++high_rooms;
     fitting += room.area;

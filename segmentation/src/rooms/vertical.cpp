@@ -292,7 +292,7 @@ chooseEnd(const Points& sample,
   }
   // Scans that lie upside down are rare, and real ones that stand upright have up
   // to 1.9 times as many objects at their ceilings.
-  constexpr double certainly = 3.0;
+  constexpr double certainly = 3.0; // times as many
   const int certain_end = objects.clearEnd(certainly);
   const int end = candidate.has_rooms ? objects.clearEnd() : certain_end;
   int axis = 0; // that the direction is most along
@@ -311,7 +311,7 @@ chooseEnd(const Points& sample,
 double
 cellSizeOf(const Points& sample)
 {
-  constexpr std::size_t enough = 1000;
+  constexpr std::size_t enough = 1000; // points
   return sample.size() < enough ? 0.0 : cellsOf(sample).size;
 }
 
@@ -351,9 +351,9 @@ Vertical::upAxis() const
 Vertical
 findVertical(const Points& points)
 {
-  constexpr std::size_t enough_pieces = 50;
-  constexpr double enough_agreement = 0.3; // buildings have 0.34 to 0.87, a ball 0.1
-  constexpr double enough = 0.08;          // of all surface
+  constexpr std::size_t enough_pieces = 50; // of surface: some walls and a floor
+  constexpr double enough_agreement = 0.3;  // buildings have 0.34 to 0.87, a ball 0.1
+  constexpr double enough = 0.08;           // of all surface
   const auto sample = samplePoints(points);
   const double cell_size = cellSizeOf(sample);
   if (!(cell_size > 0.0))

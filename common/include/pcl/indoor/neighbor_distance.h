@@ -17,6 +17,9 @@
 
 namespace pcl::indoor {
 
+constexpr double radius_factor = 2.5;     ///< of Eq. (2.9)
+constexpr unsigned closest_neighbors = 8; ///< k of Eq. (2.1), which gives no value
+
 /** \brief Mean distance of each point to its closest other points, Eq. (2.1).
  * Cost: one search tree, and a search in it per point.
  * \param[in] points finite points, metres, local frame

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <pcl/indoor/exports.h>
-#include <pcl/indoor/point_cells.h>
 
 #include <Eigen/Core>
 
@@ -13,19 +12,13 @@
 
 namespace pcl::indoor {
 
-/** \brief Median distance of points to their nearest other points, from about two
- * thousand of them: a resolution that outliers do not change, without a search tree.
- * \param[in] points finite points, metres, local frame
- * \param[in] cells the points in cells of any size
- * \return metres; infinity if most points have no other in their cell and those around
- */
-PCL_INDOOR_EXPORTS double
-medianResolution(const std::vector<Eigen::Vector3f>& points, const PointCells& cells);
-
 /** \brief Raise a voxel size to 2.5 times the resolution of the points, the factor of
- * Eq. (2.9), so that the voxels of a sparse surface touch. Where scans lie on one
+ * Eq. (2.9), so that the voxels of a sparse surface touch. The resolution is the median
+ * distance to the nearest other point, from about two thousand points: outliers do not
+ * change it. Where scans lie on one
  * another, each point with its copies at a fifth of the distance of others or less, the
  * copies do not count.
+ * \param[in] points finite points, metres, local frame
  * \return metres, at least the voxel size
  */
 PCL_INDOOR_EXPORTS double

@@ -90,23 +90,6 @@ struct VoxelMap {
   {
     return values[shape.index(x, y, z)];
   }
-
-  /** \brief The centre of a voxel in the local frame, metres. */
-  Eigen::Vector3d
-  center(int x, int y, int z) const
-  {
-    return origin + voxel_size * Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5);
-  }
-
-  /** \brief The voxel that holds a point; it may lie outside the grid. */
-  Eigen::Vector3i
-  cell(const Eigen::Vector3d& point) const
-  {
-    const Eigen::Vector3d scaled = (point - origin) / voxel_size;
-    return {static_cast<int>(std::floor(scaled.x())),
-            static_cast<int>(std::floor(scaled.y())),
-            static_cast<int>(std::floor(scaled.z()))};
-  }
 };
 
 /** \brief A value per vertical column of a voxel grid; y runs fastest. */

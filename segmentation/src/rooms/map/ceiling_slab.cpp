@@ -6,6 +6,7 @@
 #include "rooms/map/ceiling_slab.h"
 
 #include "rooms/dimensions.h"
+#include "rooms/space/greatest_around.h"
 #include "rooms/space/map_regions.h"
 
 #include <algorithm>
@@ -26,28 +27,6 @@ highestOccupied(const VoxelBits& occupancy, const VerticalRange& storey)
       top.at(x, y) = z >= storey.begin ? z : -1;
     }
   return top;
-}
-
-/** The maximum over a window of 2 * radius + 1 values with a stride, by a sliding block
- * maximum (van Herk): three comparisons per value, whatever the radius. */
-void
-slidingMaximum(int* values, int count, std::size_t stride, int radius)
-{
-  const int block = 2 * radius + 1;
-  const int padded = (count + 2 * radius + block - 1) / block * block;
-  std::vector<int> forward(padded, -1), backward(padded, -1);
-  const auto value = [&](int i) {
-    const int k = i - radius;
-    return k >= 0 && k < count ? values[k * stride] : -1;
-  };
-  for (int i = 0; i < padded; ++i)
-    forward[i] = i % block ? std::max(forward[i - 1], value(i)) : value(i);
-  for (int i = padded - 1; i >= 0; --i)
-    backward[i] = (i + 1) % block
-                      ? std::max(i + 1 < padded ? backward[i + 1] : -1, value(i))
-                      : value(i);
-  for (int i = 0; i < count; ++i)
-    values[i * stride] = std::max(backward[i], forward[i + block - 1]);
 }
 
 /** The share of the columns of a window whose top is about as high as the middle one's.
@@ -86,13 +65,13 @@ reachesUpTo(int ceiling, const VoxelBits& occupancy, int x, int y, int z)
 /** Whether the ceiling beside a pixel is more than a voxel higher: there a column is no
  * part of a ceiling but of a wall that leans, which is thick seen from below. */
 bool
-isSteep(const PixelMap<int>& ceiling, int x, int y)
+isSteep(const PixelMap<int>& ceiling, std::size_t pixel)
 {
-  const int most = ceiling.at(x, y) + 1;
-  return (x > 0 && ceiling.at(x - 1, y) > most) ||
-         (x + 1 < ceiling.nx && ceiling.at(x + 1, y) > most) ||
-         (y > 0 && ceiling.at(x, y - 1) > most) ||
-         (y + 1 < ceiling.ny && ceiling.at(x, y + 1) > most);
+  bool is_steep = false;
+  forEachNeighbour(ceiling, pixel, Neighbours::Four, [&](std::size_t other) {
+    is_steep |= ceiling.values[other] > ceiling.values[pixel] + 1;
+  });
+  return is_steep;
 }
 
 } // namespace
@@ -103,14 +82,10 @@ ceilingLayers(const VoxelBits& occupancy,
               const CeilingSlabOptions& options)
 {
   const PixelMap<int> top = highestOccupied(occupancy, storey);
-  PixelMap<int> ceiling = top;
   const int radius = static_cast<int>( // a window need not be larger than the map
       std::lround(std::min(0.5 * options.window / occupancy.voxel_size,
                            static_cast<double>(std::max(top.nx, top.ny)))));
-  for (int x = 0; x < top.nx; ++x)
-    slidingMaximum(&ceiling.values[top.index(x, 0)], top.ny, 1, radius);
-  for (int y = 0; y < top.ny; ++y)
-    slidingMaximum(&ceiling.values[top.index(0, y)], top.nx, top.ny, radius);
+  PixelMap<int> ceiling = greatestAround(top, radius);
 
   const auto layers = [&](double length) {
     return voxelsIn(length, occupancy.voxel_size);
@@ -149,9 +124,7 @@ slabLayers(const VoxelBits& occupancy,
   const int depth = std::max(1, layers(options.depth));
   std::vector<std::size_t> occupied(greatest + depth + 1, 0);
   for (std::size_t i = 0; i < ceiling.size(); ++i) {
-    if (isSteep(ceiling,
-                static_cast<int>(i) / ceiling.ny,
-                static_cast<int>(i) % ceiling.ny))
+    if (isSteep(ceiling, i))
       continue;
     const auto column = occupancy.column(i);
     const int top = ceiling.values[i];

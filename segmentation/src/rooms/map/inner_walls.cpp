@@ -5,10 +5,10 @@
 
 #include "rooms/map/inner_walls.h"
 
+#include "rooms/space/line_bundle.h"
 #include "rooms/space/map_regions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace pcl::indoor {
@@ -22,29 +22,22 @@ class LineWalker {
 public:
   LineWalker(const Rooms& rooms, const Eigen::Vector2d& direction)
   : rooms_(rooms)
-  , along_x_(std::abs(direction.x()) >= std::abs(direction.y()))
-  {
-    const double slope =
-        along_x_ ? direction.y() / direction.x() : direction.x() / direction.y();
-    for (int step = 0; step < (along_x_ ? rooms.nx : rooms.ny); ++step)
-      shift_.push_back(static_cast<int>(std::floor(step * slope + 0.5)));
-  }
+  , shape_{rooms.nx, rooms.ny, 1}
+  , lines_(shape_, direction)
+  {}
 
   /** \brief Call visit(pixels of a line) for each line. */
   template <typename Visitor>
   void
   forEach(const Visitor& visit) const
   {
-    const int steps = static_cast<int>(shift_.size());
-    const int width = along_x_ ? rooms_.ny : rooms_.nx;
-    const int last = shift_.empty() ? 0 : shift_.back();
     std::vector<std::size_t> line;
-    for (int start = -std::max(last, 0); start < width - std::min(last, 0); ++start) {
+    for (int l = 0; l < lines_.count; ++l) {
       line.clear();
-      for (int i = 0; i < steps; ++i) {
-        const int across = start + shift_[i];
-        if (across >= 0 && across < width)
-          line.push_back(along_x_ ? rooms_.index(i, across) : rooms_.index(across, i));
+      for (int i = 0; i < lines_.steps; ++i) {
+        const int across = l + lines_.first + lines_.shift[i];
+        if (across >= 0 && across < lines_.width)
+          line.push_back(lines_.column(shape_, i, across));
       }
       visit(line);
     }
@@ -56,14 +49,10 @@ public:
   overWalls(int thickness) const
   {
     Rooms over = rooms_;
-    const int steps = static_cast<int>(shift_.size());
-    const int width = along_x_ ? rooms_.ny : rooms_.nx;
-    for (int i = 0; i < steps; ++i) {
-      const auto at = [&](int across) {
-        return along_x_ ? rooms_.index(i, across) : rooms_.index(across, i);
-      };
+    for (int i = 0; i < lines_.steps; ++i) {
+      const auto at = [&](int across) { return lines_.column(shape_, i, across); };
       int last = -1; // pixel of a room before this one
-      for (int k = 0; k < width; ++k) {
+      for (int k = 0; k < lines_.width; ++k) {
         const std::int32_t room = rooms_.values[at(k)];
         if (room == 0)
           continue;
@@ -78,8 +67,8 @@ public:
 
 private:
   const Rooms& rooms_;
-  bool along_x_;
-  std::vector<int> shift_; ///< across, per step along
+  GridShape shape_;
+  LineBundle lines_;
 };
 
 /** \brief Take the lines on which an inner wall goes on out of the rooms. */
@@ -128,8 +117,7 @@ divideAtInnerWalls(PixelMap<std::int32_t>& rooms,
     std::size_t& size = largest[cut.values[piece.front()]];
     size = std::max(size, piece.size());
   });
-  Rooms labels{rooms.nx, rooms.ny, {}};
-  labels.values.assign(rooms.size(), 0);
+  auto labels = Rooms::filled(rooms.nx, rooms.ny, 0);
   std::vector<std::uint8_t> is_taken(count + 1, 0);
   forEachRegion(cut, Neighbours::Four, [&](const auto& piece) {
     const std::int32_t room = cut.values[piece.front()];

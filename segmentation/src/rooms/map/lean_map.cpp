@@ -5,14 +5,13 @@
 
 #include "rooms/map/wall_lean.h"
 
+#include "rooms/dimensions.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace pcl::indoor {
 namespace {
-
-/** A lean less than this moves a wall by less than a voxel over its height. */
-constexpr double least_lean = 0.04;
 
 /** The least squares of what stretches say about the shift of their surroundings. */
 struct ShiftEquations {
@@ -115,7 +114,7 @@ PixelMap<Eigen::Vector2f>
 leanMap(const std::vector<WallStretch>& walls, int nx, int ny, double pixel_size)
 {
   PixelMap<Eigen::Vector2f> lean{nx, ny, {}};
-  const double sigma = 0.5 / pixel_size;
+  const double sigma = 0.5 * surroundings / pixel_size;
   if (std::all_of(
           walls.begin(), walls.end(), [](const auto& wall) { return wall.lean == 0; }))
     return lean;
@@ -149,15 +148,14 @@ leanMap(const std::vector<WallStretch>& walls, int nx, int ny, double pixel_size
 }
 
 PixelMap<float>
-slabHeights(const VerticalRange& storey,
-            const PixelMap<int>& ceiling,
-            const SlabLayers& slab)
+slabHeights(const RoomMap& map)
 {
-  PixelMap<float> heights{ceiling.nx, ceiling.ny, {}};
-  heights.values.reserve(ceiling.size());
-  for (const int layer : ceiling.values)
-    heights.values.push_back(static_cast<float>((layer < 0 ? storey.end - 1 : layer) +
-                                                0.5 - 0.5 * (slab.first + slab.last)));
+  PixelMap<float> heights{map.ceiling.nx, map.ceiling.ny, {}};
+  heights.values.reserve(heights.size());
+  for (const int layer : map.ceiling.values)
+    heights.values.push_back(
+        static_cast<float>((layer < 0 ? map.range.end - 1 : layer) + 0.5 -
+                           0.5 * (map.slab.first + map.slab.last)));
   return heights;
 }
 

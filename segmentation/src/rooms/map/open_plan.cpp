@@ -4,6 +4,8 @@
  */
 
 #include "rooms/map/open_plan.h"
+
+#include "rooms/space/map_regions.h"
 #include "rooms/space/visibility.h"
 
 #include <algorithm>
@@ -18,7 +20,7 @@ somePixels(const std::vector<std::vector<std::uint32_t>>& pixels,
            const std::vector<std::int32_t>& space,
            int ny)
 {
-  constexpr std::size_t enough = 64;
+  constexpr std::size_t enough = 64; // pixels: the lines between tell a percent
   std::vector<std::uint32_t> all;
   for (const auto label : space)
     all.insert(all.end(), pixels[label].begin(), pixels[label].end());
@@ -36,40 +38,28 @@ somePixels(const std::vector<std::vector<std::uint32_t>>& pixels,
 PixelMap<std::int32_t>
 fillIslands(PixelMap<std::int32_t> rooms)
 {
-  PixelMap<std::uint8_t> seen{rooms.nx, rooms.ny, {}};
-  seen.values.assign(rooms.size(), 0);
-  std::vector<std::size_t> part;
-  for (std::size_t start = 0; start < rooms.size(); ++start) {
-    if (rooms.values[start] != 0 || seen.values[start])
-      continue;
-    part.assign(1, start);
-    seen.values[start] = 1;
+  auto empty = PixelMap<std::uint8_t>::filled(rooms.nx, rooms.ny, 0);
+  for (std::size_t i = 0; i < rooms.size(); ++i)
+    empty.values[i] = rooms.values[i] == 0;
+  forEachRegion(empty, Neighbours::Eight, [&](const auto& part) {
     std::int32_t around = 0; // the room around the part
     bool is_island = true;
-    for (std::size_t k = 0; k < part.size(); ++k) {
-      const int x = static_cast<int>(part[k] / rooms.ny);
-      const int y = static_cast<int>(part[k] % rooms.ny);
-      for (int u = x - 1; u <= x + 1; ++u)
-        for (int v = y - 1; v <= y + 1; ++v) {
-          if (!rooms.contains(u, v)) {
-            is_island = false;
-            continue;
-          }
-          const std::int32_t room = rooms.at(u, v);
-          if (room != 0) {
-            is_island = is_island && (around == 0 || around == room);
-            around = room;
-          }
-          else if (!seen.at(u, v)) {
-            seen.at(u, v) = 1;
-            part.push_back(rooms.index(u, v));
-          }
-        }
+    for (const std::size_t pixel : part) {
+      const int x = static_cast<int>(pixel / rooms.ny);
+      const int y = static_cast<int>(pixel % rooms.ny);
+      is_island = is_island && x > 0 && y > 0 && x + 1 < rooms.nx && y + 1 < rooms.ny;
+      forEachNeighbour(rooms, pixel, Neighbours::Eight, [&](std::size_t other) {
+        const std::int32_t room = rooms.values[other];
+        if (room == 0)
+          return;
+        is_island = is_island && (around == 0 || around == room);
+        around = room;
+      });
     }
     if (is_island)
       for (const std::size_t pixel : part)
         rooms.values[pixel] = around;
-  }
+  });
   return rooms;
 }
 

@@ -5,6 +5,8 @@
 
 #include "rooms/map/persistent_basins.h"
 
+#include "rooms/space/map_regions.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -88,21 +90,19 @@ private:
   void
   findNeighbours(std::int32_t pixel)
   {
-    const int x = pixel / field_.ny, y = pixel % field_.ny;
     neighbours_.clear();
     float highest = 0.0f;
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, field_.nx - 1); ++u)
-      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, field_.ny - 1); ++v) {
-        const std::int32_t basin = basinOf(field_.index(u, v));
-        if (basin < 0)
-          continue;
-        neighbours_.push_back(basin);
-        const float value = field_.at(u, v);
-        if (value > highest || (value == highest && basin < steepest_)) {
-          highest = value;
-          steepest_ = basin;
-        }
+    forEachNeighbour(field_, pixel, Neighbours::Eight, [&](std::size_t other) {
+      const std::int32_t basin = basinOf(other);
+      if (basin < 0)
+        return;
+      neighbours_.push_back(basin);
+      const float value = field_.values[other];
+      if (value > highest || (value == highest && basin < steepest_)) {
+        highest = value;
+        steepest_ = basin;
       }
+    });
     std::sort(neighbours_.begin(), neighbours_.end());
     neighbours_.erase(std::unique(neighbours_.begin(), neighbours_.end()),
                       neighbours_.end());
@@ -126,8 +126,7 @@ persistentBasins(const PixelMap<float>& field, const BasinOptions& options)
   for (const std::int32_t pixel : descending(field.values))
     basins.add(pixel);
 
-  PixelMap<std::int32_t> labels{field.nx, field.ny, {}};
-  labels.values.assign(field.size(), 0);
+  auto labels = PixelMap<std::int32_t>::filled(field.nx, field.ny, 0);
   std::vector<std::int32_t> number(basins.count(), 0);
   std::int32_t count = 0;
   for (std::size_t i = 0; i < field.size(); ++i) {

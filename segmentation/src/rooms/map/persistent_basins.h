@@ -13,12 +13,11 @@ namespace pcl::indoor {
 
 /** \brief When a pass between two basins is narrow. */
 struct BasinOptions {
-  double persistence = 0.5; ///< a pass is narrow if it is lower than this share of the
-                            ///< lower of the two maxima, 0 ... 1; larger gives more
-                            ///< basins
-  double door = 0.0;        ///< half the width up to which a pass is a door
-  double door_persistence = 0.75; ///< a door parts two basins if it is lower than this
-                                  ///< share of the lower maximum
+  double persistence; ///< a pass is narrow if it is lower than this share of the lower
+                      ///< of the two maxima, 0 ... 1; larger gives more basins
+  double door = 0.0;  ///< half the width up to which a pass is a door
+  double door_persistence = 0.0; ///< a door parts two basins if it is lower than this
+                                 ///< share of the lower maximum
 };
 
 /** \brief Split a map into the basins around its persistent maxima.
@@ -33,6 +32,6 @@ struct BasinOptions {
  * is 0
  */
 PixelMap<std::int32_t>
-persistentBasins(const PixelMap<float>& field, const BasinOptions& options = {});
+persistentBasins(const PixelMap<float>& field, const BasinOptions& options);
 
 } // namespace pcl::indoor

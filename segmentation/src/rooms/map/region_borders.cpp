@@ -42,33 +42,29 @@ struct Section {
 /** Looks across the border between two pixels. */
 class BorderSection {
 public:
-  BorderSection(const VoxelBits& occupancy,
-                const VerticalRange& storey,
-                const PixelMap<int>& ceiling,
-                BorderTop top)
-  : occupancy_(occupancy)
-  , storey_(storey)
-  , ceiling_(ceiling)
+  BorderSection(const BorderMap& map, BorderTop top)
+  : map_(map)
   , top_(top)
-  , closed_(occupancy.shape.nz)
+  , closed_(map.occupancy.shape.nz)
   {}
 
   /** Measure which layers are open on the straight way between two pixels. */
   Section
   measure(int x0, int y0, int x1, int y1)
   {
-    const auto [lower, higher] = std::minmax(ceiling_.at(x0, y0), ceiling_.at(x1, y1));
+    const auto [lower, higher] =
+        std::minmax(map_.ceiling.at(x0, y0), map_.ceiling.at(x1, y1));
     const int top = top_ == BorderTop::LowerCeiling ? lower : higher;
     std::fill(closed_.begin(), closed_.end(), 0);
     const int steps = std::max({std::abs(x1 - x0), std::abs(y1 - y0), 1});
     for (int k = 0; k <= steps; ++k) {
       const int x = x0 + static_cast<int>(std::lround((x1 - x0) * k / double(steps)));
       const int y = y0 + static_cast<int>(std::lround((y1 - y0) * k / double(steps)));
-      const auto column = occupancy_.column(x, y);
-      for (int z = storey_.begin; z < top; ++z)
+      const auto column = map_.occupancy.column(x, y);
+      for (int z = map_.storey.begin; z < top; ++z)
         closed_[z] |= column[z];
     }
-    const int bottom = storey_.begin + 1; // above the floor
+    const int bottom = map_.storey.begin + 1; // above the floor
     if (top <= bottom)
       return {};
     Section section;
@@ -85,9 +81,7 @@ public:
   }
 
 private:
-  const VoxelBits& occupancy_;
-  const VerticalRange& storey_;
-  const PixelMap<int>& ceiling_;
+  const BorderMap& map_;
   BorderTop top_;
   std::vector<std::uint8_t> closed_;
 };
@@ -96,20 +90,11 @@ private:
  * x or y if they are of different regions. */
 template <typename Piece>
 void
-walkBorders(const VoxelBits& occupancy,
-            const VerticalRange& storey,
-            const PixelMap<int>& ceiling,
-            const PixelMap<std::int32_t>& labels,
-            const PixelMap<std::int32_t>& free_labels,
-            BorderTop top,
-            const Piece& piece)
+walkBorders(const BorderMap& map, BorderTop top, const Piece& piece)
 {
-  PixelMap<std::uint8_t> sites{labels.nx, labels.ny, {}};
-  sites.values.resize(sites.size());
-  for (std::size_t i = 0; i < sites.size(); ++i)
-    sites.values[i] = free_labels.values[i] != 0;
-  const NearestSites nearest = nearestSites(sites);
-  BorderSection section(occupancy, storey, ceiling, top);
+  const PixelMap<std::int32_t>& labels = map.labels;
+  const NearestSites nearest = nearestLabelled(map.free_labels);
+  BorderSection section(map, top);
   const auto look = [&](std::size_t p, std::size_t q) {
     const std::int32_t a = labels.values[p], b = labels.values[q];
     if (a == b || a == 0 || b == 0)
@@ -310,13 +295,10 @@ private:
 } // namespace
 
 std::vector<RegionBorder>
-regionBorders(const VoxelBits& occupancy,
-              const VerticalRange& storey,
-              const PixelMap<int>& ceiling,
-              const PixelMap<std::int32_t>& labels,
-              const PixelMap<std::int32_t>& free_labels)
+regionBorders(const BorderMap& map)
 {
-  const double size = occupancy.voxel_size;
+  const auto& labels = map.labels;
+  const double size = map.occupancy.voxel_size;
   const auto ny = static_cast<std::size_t>(labels.ny);
   std::map<RegionPair, RegionBorder> borders;
   const auto add = [&](std::size_t p, std::size_t q, const Section& section) {
@@ -328,8 +310,7 @@ regionBorders(const VoxelBits& occupancy,
       border.opening_run[p / ny == q / ny] += size;
     }
   };
-  walkBorders(
-      occupancy, storey, ceiling, labels, free_labels, BorderTop::HigherCeiling, add);
+  walkBorders(map, BorderTop::HigherCeiling, add);
 
   std::vector<RegionBorder> result;
   for (auto& [pair, border] : borders) {
@@ -340,14 +321,11 @@ regionBorders(const VoxelBits& occupancy,
 }
 
 std::vector<RegionOpening>
-regionOpenings(const VoxelBits& occupancy,
-               const VerticalRange& storey,
-               const PixelMap<int>& ceiling,
-               const PixelMap<std::int32_t>& labels,
-               const PixelMap<std::int32_t>& free_labels,
-               double min_width)
+regionOpenings(const BorderMap& map)
 {
-  const double size = occupancy.voxel_size;
+  constexpr double min_width = 0.3; // metres; nobody passes a narrower gap
+  const auto& labels = map.labels;
+  const double size = map.occupancy.voxel_size;
   const auto ny = static_cast<std::size_t>(labels.ny);
   std::map<RegionPair, std::vector<OpenPiece>> pieces;
   const auto add = [&](std::size_t p, std::size_t q, const Section& section) {
@@ -361,8 +339,7 @@ regionOpenings(const VoxelBits& occupancy,
     piece.rise = section.rise;
     pieces[std::minmax(labels.values[p], labels.values[q])].push_back(piece);
   };
-  walkBorders(
-      occupancy, storey, ceiling, labels, free_labels, BorderTop::LowerCeiling, add);
+  walkBorders(map, BorderTop::LowerCeiling, add);
 
   std::vector<RegionOpening> openings;
   for (const auto& [pair, of_pair] : pieces)
@@ -413,7 +390,6 @@ mergeNiches(const std::vector<RegionOpening>& openings,
 {
   constexpr double all_width = 0.85; // of the side of a square as large
   constexpr double least_rise = 0.1; // of the ceiling, metres
-  constexpr double largest = 4.0;    // m^2
   std::vector<std::int32_t> room_of(area.size());
   std::iota(room_of.begin(), room_of.end(), 0);
   const auto height = [&](std::int32_t region) {
@@ -427,7 +403,7 @@ mergeNiches(const std::vector<RegionOpening>& openings,
         continue;
       if (height(niche) < height(room))
         std::swap(niche, room);
-      if (area[niche] > largest || height(niche) < height(room) + least_rise ||
+      if (area[niche] > least_room || height(niche) < height(room) + least_rise ||
           opening.width < all_width * std::sqrt(area[niche]))
         continue;
       area[room] += area[niche];

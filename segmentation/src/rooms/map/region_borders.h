@@ -36,22 +36,24 @@ struct RegionBorder {
   Eigen::Vector2d opening_run = Eigen::Vector2d::Zero();
 };
 
+/** \brief The regions of a storey, and what may stand between them. */
+struct BorderMap {
+  const VoxelBits& occupancy;
+  VerticalRange storey;                      ///< the layers that count
+  const PixelMap<int>& ceiling;              ///< as ceilingLayers() gives it
+  const PixelMap<std::int32_t>& labels;      ///< of every pixel of the regions and of
+                                             ///< the walls between them, 0 = none
+  const PixelMap<std::int32_t>& free_labels; ///< the same on the free pixels alone
+};
+
 /** \brief Find the borders between regions and how far they are open.
  *
  * A piece of border is open at a height if no voxel is occupied there between the free
  * space of the one region and that of the other: hollow walls are closed.
- * \param[in] labels a label for every pixel of the regions and of the walls between
- * them, 0 = none
- * \param[in] free_labels the same labels on the free pixels alone
- * \param[in] ceiling as ceilingLayers() gives it
  * \return one entry per pair of regions that touch, in the order of (a, b)
  */
 std::vector<RegionBorder>
-regionBorders(const VoxelBits& occupancy,
-              const VerticalRange& storey,
-              const PixelMap<int>& ceiling,
-              const PixelMap<std::int32_t>& labels,
-              const PixelMap<std::int32_t>& free_labels);
+regionBorders(const BorderMap& map);
 
 /** \brief A place where a person can pass from one region to another. */
 struct RegionOpening {
@@ -69,19 +71,12 @@ struct RegionOpening {
 
 /** \brief Find the openings in the borders between regions.
  *
- * Parameters as for regionBorders(). Pieces of border that a person can pass and that
- * are at most two pixels apart are one opening: two doors between the same two regions
- * are two.
- * \param[in] min_width narrower gaps are left out, metres
- * \return in the order of (a, b), then of their first pixel
+ * Pieces of border that a person can pass and that are at most two pixels apart are one
+ * opening: two doors between the same two regions are two. Gaps narrower than 0.3 m are
+ * left out. \return in the order of (a, b), then of their first pixel
  */
 std::vector<RegionOpening>
-regionOpenings(const VoxelBits& occupancy,
-               const VerticalRange& storey,
-               const PixelMap<int>& ceiling,
-               const PixelMap<std::int32_t>& labels,
-               const PixelMap<std::int32_t>& free_labels,
-               double min_width = 0.3);
+regionOpenings(const BorderMap& map);
 
 /** \brief Whether two spaces are two rooms however open the border between them is;
  * each is given by the labels of its regions. */

@@ -308,7 +308,7 @@ dropHardlySeen(const StoreySpace& space,
     is_reached[label] = !isSparse(label);
   if (std::find(is_reached.begin(), is_reached.end(), 0) != is_reached.end())
     for (const RegionOpening& opening : regionOpenings(
-             space.occupancy, map.range, map.ceiling, map.labels, map.free_labels)) {
+             {space.occupancy, map.range, map.ceiling, map.labels, map.free_labels})) {
       is_reached[opening.a] |= !isSparse(opening.b);
       is_reached[opening.b] |= !isSparse(opening.a);
     }

@@ -223,7 +223,7 @@ joinOpenRegions(const VoxelBits& occupancy, const RoomMapOptions& options, RoomM
   const double size = occupancy.voxel_size;
   growIntoWalls(options.reach / size, map);
   const auto merged = mergeOpenRegions(
-      regionBorders(occupancy, map.range, map.ceiling, map.labels, map.free_labels),
+      regionBorders({occupancy, map.range, map.ceiling, map.labels, map.free_labels}),
       sectionAreas(map.free_labels, map.field, map, size),
       options.merging,
       options.door_width);
@@ -243,7 +243,7 @@ joinNiches(const VoxelBits& occupancy, RoomMap& map)
         size * size * size * (map.ceiling.values[i] - map.range.begin);
   }
   const auto openings =
-      regionOpenings(occupancy, map.range, map.ceiling, map.labels, map.free_labels);
+      regionOpenings({occupancy, map.range, map.ceiling, map.labels, map.free_labels});
   const auto merged = mergeNiches(openings, area, volume);
   if (merged != asBefore(map.room_count))
     relabel(numbersOf(map.labels, merged), map);
@@ -272,6 +272,34 @@ piecesOfRooms(const PixelMap<std::int32_t>& rooms,
   return pieces;
 }
 
+/** The new labels of the spaces of an open plan. The largest space of a room keeps its
+ * label, and what is no space joins it.
+ * \param[in] room_of,space_of of each piece
+ * \param[in,out] last of the labels
+ * \return per space, which has the number of one of its pieces; 0 = as before */
+std::vector<std::int32_t>
+newLabels(const OpenPlan& plan,
+          const std::vector<std::int32_t>& room_of,
+          const std::vector<std::int32_t>& space_of,
+          std::int32_t& last)
+{
+  std::vector<std::vector<std::int32_t>> members(room_of.size());
+  for (std::size_t piece = 1; piece < room_of.size(); ++piece)
+    members[space_of[piece]].push_back(static_cast<std::int32_t>(piece));
+  std::vector<std::int32_t> largest(last + 1, 0); // of each room
+  for (std::size_t each = 1; each < members.size(); ++each) {
+    std::int32_t& first = largest[room_of[each]];
+    if (plan.area(members[each]) > plan.area(members[first]))
+      first = static_cast<std::int32_t>(each);
+  }
+  std::vector<std::int32_t> label_of(members.size(), 0);
+  for (std::size_t each = 1; each < members.size(); ++each)
+    if (largest[room_of[each]] != static_cast<std::int32_t>(each) &&
+        plan.isHabitable(members[each]))
+      label_of[each] = ++last;
+  return label_of;
+}
+
 /** Divide rooms that are two spaces of an open plan. */
 void
 divideOpenPlans(const StoreySpace& space,
@@ -286,40 +314,24 @@ divideOpenPlans(const StoreySpace& space,
     walls.values.push_back(room == 0);
   const auto field = distanceTo(walls, size, threads);
   std::vector<std::int32_t> room_of;
-  BasinOptions open_plan;
-  open_plan.persistence = options.open_plan.persistence;
-  const auto pieces =
-      piecesOfRooms(rooms, basinsOfWidth(field, open_plan, size, options), room_of);
+  const auto basins =
+      basinsOfWidth(field, {options.open_plan.persistence}, size, options);
+  const auto pieces = piecesOfRooms(rooms, basins, room_of);
   const OpenPlan plan(pieces, field, size, options.open_plan);
   PixelMap<std::int32_t> grown = pieces;
   growLabels(grown, options.reach / size);
   MergeOptions all;
   all.open_share = all.open_height = 0.0;
   const auto space_of = mergeOpenRegions(
-      regionBorders(space.occupancy, map.range, map.ceiling, grown, pieces),
+      regionBorders({space.occupancy, map.range, map.ceiling, grown, pieces}),
       sectionAreas(pieces, field, map, size),
       all,
       0.0,
       [&](const auto& a, const auto& b) {
         return room_of[a.front()] != room_of[b.front()] || plan.separates(a, b);
       });
-
-  // The largest space of a room keeps its number, and what is no space joins it.
-  std::vector<std::vector<std::int32_t>> members(room_of.size());
-  for (std::size_t piece = 1; piece < room_of.size(); ++piece)
-    members[space_of[piece]].push_back(static_cast<std::int32_t>(piece));
-  std::vector<std::int32_t> largest(map.room_count + 1, 0);
-  for (std::size_t each = 1; each < members.size(); ++each) {
-    std::int32_t& first = largest[room_of[each]];
-    if (plan.area(members[each]) > plan.area(members[first]))
-      first = static_cast<std::int32_t>(each);
-  }
   std::int32_t count = map.room_count;
-  std::vector<std::int32_t> label_of(members.size(), 0); // per space; 0 = as before
-  for (std::size_t each = 1; each < members.size(); ++each)
-    if (largest[room_of[each]] != static_cast<std::int32_t>(each) &&
-        plan.isHabitable(members[each]))
-      label_of[each] = ++count;
+  const auto label_of = newLabels(plan, room_of, space_of, count);
   if (count == map.room_count)
     return;
   for (std::size_t i = 0; i < pieces.size(); ++i)
@@ -346,28 +358,16 @@ mapWithoutRooms(const StoreySpace& space, const RoomMapOptions& options, int thr
   removeSpecks(map.blocked, voxelsIn(options.slab.min_wall, size));
   auto inside = insideColumns(space, map.ceiling);
   map.lean = leanMap(
-      wallStretches(occupancy, map.range, map.ceiling, map.slab, map.blocked, threads),
-      map.blocked.nx,
-      map.blocked.ny,
-      size);
-  if (!map.lean.values.empty()) { // above a wall that leans, the slab may be outside
-    const auto held = straightenedColumns(
-        occupancy, map.lean, slabHeights(map.range, map.ceiling, map.slab));
-    const auto covered = closed(held, 0.5, size, threads);
+      wallStretches(occupancy, map, threads), map.blocked.nx, map.blocked.ny, size);
+  if (!map.lean.values.empty()) {    // above a wall that leans, the slab may be outside
+    constexpr double half_gap = 0.5; // metres, in the floors and ceilings that are seen
+    const auto held = straightenedColumns(occupancy, map.lean, slabHeights(map));
+    const auto covered = closed(held, half_gap, size, threads);
     for (std::size_t i = 0; i < inside.size(); ++i)
       inside.values[i] &= covered.values[i];
   }
   map.field = freeDistance(map.blocked, inside, size, threads);
   return map;
-}
-
-void
-numberRegions(double pixel_size, double reach, RoomMap& map)
-{
-  growIntoWalls(reach / pixel_size, map);
-  const auto last =
-      *std::max_element(map.labels.values.begin(), map.labels.values.end());
-  relabel(numbersOf(map.labels, asBefore(last)), map);
 }
 
 RoomMap
@@ -376,11 +376,11 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options, int thre
   const VoxelBits& occupancy = space.occupancy;
   const double size = occupancy.voxel_size;
   RoomMap map = mapWithoutRooms(space, options, threads);
-  BasinOptions basins;
-  basins.persistence = options.persistence;
-  basins.door = 0.5 * options.door_width;
-  basins.door_persistence = options.merging.door_share;
-  map.free_labels = basinsOfWidth(map.field, basins, size, options);
+  map.free_labels = basinsOfWidth(
+      map.field,
+      {options.persistence, 0.5 * options.door_width, options.merging.door_share},
+      size,
+      options);
   dropSmall(size, options.min_area, map.free_labels);
   joinOpenRegions(occupancy, options, map);
   divideAtInnerWalls(map.free_labels,

@@ -13,6 +13,8 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+
 namespace pcl::indoor {
 
 /** \brief The map of one storey and every step on the way to it. */
@@ -22,6 +24,21 @@ struct RoomMap : MappedRooms {
   PixelMap<int> ceiling;          ///< layer of the ceiling, -1 = none
   SlabLayers slab;                ///< where the walls were looked for
   PixelMap<Eigen::Vector2f> lean; ///< see leanMap(); empty if all walls are upright
+
+  /** \brief How far below the ceiling a layer of the building's grid lies, layers. */
+  int
+  belowCeiling(std::size_t pixel, int layer) const
+  {
+    return ceiling.values[pixel] + first_layer - layer;
+  }
+
+  /** \brief Whether a layer of the building's grid lies in the slab. */
+  bool
+  inSlab(std::size_t pixel, int layer) const
+  {
+    const int below = belowCeiling(pixel, layer);
+    return below >= slab.first && below <= slab.last;
+  }
 };
 
 /** \brief The walls and the free space of a storey: a map that has no rooms yet.
@@ -30,13 +47,6 @@ RoomMap
 mapWithoutRooms(const StoreySpace& space,
                 const RoomMapOptions& options,
                 int threads = 0);
-
-/** \brief Carry the labels of free pixels into the walls, and number the regions
- * 1 ... n by their first pixels.
- * \param[in] pixel_size,reach metres
- */
-void
-numberRegions(double pixel_size, double reach, RoomMap& map);
 
 /** \brief Divide a storey into rooms on its map.
  * \param[in] threads 0 = automatic; the result does not depend on it */

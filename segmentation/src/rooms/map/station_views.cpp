@@ -52,8 +52,7 @@ partitionsOf(const RoomMap& map, double pixel_size)
 {
   const int reach = voxelsIn(thickest_wall, pixel_size, 1);
   const PixelMap<std::int32_t>& labels = map.free_labels;
-  PixelMap<RegionPair> sides{labels.nx, labels.ny, {}};
-  sides.values.assign(labels.size(), {0, 0});
+  auto sides = PixelMap<RegionPair>::filled(labels.nx, labels.ny, {0, 0});
   const auto beside = [&](int x, int y, int dx, int dy) {
     for (int k = 1; k <= reach; ++k)
       if (!labels.contains(x + k * dx, y + k * dy))

@@ -19,6 +19,15 @@
 namespace pcl::indoor {
 namespace {
 
+const double steepest_slope = std::tan(steepest_lean);
+
+/** Where a wall is looked at, layers. */
+struct WallLayers {
+  int floor;   ///< above the floor and its noise
+  int top;     ///< of the slab
+  double slab; ///< its middle
+};
+
 /** An occupied voxel in the vertical section across a wall. */
 struct SectionVoxel {
   float across; // along the wall's normal, voxels
@@ -70,17 +79,15 @@ wallAround(const PixelMap<std::uint8_t>& blocked,
 /** The occupied voxels between the slab and the floor that may belong to a wall. */
 void
 sectionAt(const VoxelBits& occupancy,
-          int floor,
-          double slab,
-          int top,
-          double slope,
+          const WallLayers& layers,
           double radius,
           const WallStretch& wall,
           std::vector<SectionVoxel>& section)
 {
   section.clear();
   const double thickness = 0.5 * radius; // of half a wall
-  const double width = thickness + slope * std::max(0.0, slab - floor);
+  const double width =
+      thickness + steepest_slope * std::max(0.0, layers.slab - layers.floor);
   const Eigen::Vector2d along(-wall.normal.y(), wall.normal.x());
   const Eigen::Vector2d extent =
       width * wall.normal.cwiseAbs() + radius * along.cwiseAbs();
@@ -94,11 +101,13 @@ sectionAt(const VoxelBits& occupancy,
       const double across = wall.normal.dot(offset);
       if (std::abs(along.dot(offset)) > radius || std::abs(across) > width)
         continue;
-      const double least = (std::abs(across) - thickness) / slope; // depth in reach
-      const int end =
-          std::min(top, static_cast<int>(std::floor(slab - std::max(0.0, least))));
-      occupancy.column(x, y).forEachSet(floor, end + 1, [&](int z) {
-        section.push_back({static_cast<float>(across), static_cast<float>(slab - z)});
+      const double least =
+          (std::abs(across) - thickness) / steepest_slope; // depth in reach
+      const int end = std::min(
+          layers.top, static_cast<int>(std::floor(layers.slab - std::max(0.0, least))));
+      occupancy.column(x, y).forEachSet(layers.floor, end + 1, [&](int z) {
+        section.push_back(
+            {static_cast<float>(across), static_cast<float>(layers.slab - z)});
       });
     }
 }
@@ -108,8 +117,8 @@ sectionAt(const VoxelBits& occupancy,
  * wall lean alike). Upright unless another lean is clearly better. */
 class LeanSearch {
 public:
-  LeanSearch(double max_slope, double half_thickness)
-  : slopes_(static_cast<int>(std::ceil(max_slope / slope_step)))
+  explicit LeanSearch(double half_thickness)
+  : slopes_(static_cast<int>(std::ceil(steepest_slope / slope_step)))
   , profile_(2 * static_cast<int>(std::ceil(half_thickness / bin)))
   {}
 
@@ -144,8 +153,8 @@ public:
   }
 
 private:
-  static constexpr double slope_step = 0.02; // half a voxel over the height of a storey
-  static constexpr double bin = 0.5;         // voxels
+  static constexpr double slope_step = 0.5 * least_lean;
+  static constexpr double bin = 0.5;           // voxels
   static constexpr double upright_share = 0.9; // within this it cannot be told apart
   static constexpr double full_share = 0.7;    // fewer are lintels, posts and furniture
 
@@ -242,18 +251,13 @@ spreadOver(const PixelMap<std::uint8_t>& blocked, int tile)
 } // namespace
 
 std::vector<WallStretch>
-wallStretches(const VoxelBits& occupancy,
-              const VerticalRange& storey,
-              const PixelMap<int>& ceiling,
-              const SlabLayers& slab,
-              const PixelMap<std::uint8_t>& blocked,
-              int threads)
+wallStretches(const VoxelBits& occupancy, const RoomMap& map, int threads)
 {
-  constexpr double window = 1.0; // length of a stretch, metres
+  const PixelMap<std::uint8_t>& blocked = map.blocked;
+  const SlabLayers& slab = map.slab;
   const double whole_map = 2.0 * (blocked.nx + blocked.ny); // nothing lies farther
   const double radius =
-      std::min(whole_map, std::max(2.0, 0.5 * window / occupancy.voxel_size));
-  const double slope = std::tan(steepest_lean);
+      std::min(whole_map, std::max(2.0, 0.5 * surroundings / occupancy.voxel_size));
   const auto places = spreadOver(blocked, static_cast<int>(radius));
   std::vector<WallStretch> found(places.size());
   struct State {
@@ -265,30 +269,25 @@ wallStretches(const VoxelBits& occupancy,
       threadCount(threads),
       16,
       [&] {
-        return State{LeanSearch(slope, 0.5 * radius), {}};
+        return State{LeanSearch(0.5 * radius), {}};
       },
       [&](State& state, std::ptrdiff_t i) {
         auto wall = wallAround(blocked, places[i], radius);
         if (!wall)
           return;
-        const int top = ceiling.at(static_cast<int>(places[i].x() + 0.5),
-                                   static_cast<int>(places[i].y() + 0.5));
-        const double middle = top - 0.5 * (slab.first + slab.last);
-        sectionAt(occupancy,
-                  storey.begin + 2, // above the floor and its noise
-                  middle,
-                  top - slab.first,
-                  slope,
-                  radius,
-                  *wall,
-                  state.section);
+        const int top = map.ceiling.at(static_cast<int>(places[i].x() + 0.5),
+                                       static_cast<int>(places[i].y() + 0.5));
+        const WallLayers layers = {map.range.begin + 2,
+                                   top - slab.first,
+                                   top - 0.5 * (slab.first + slab.last)};
+        sectionAt(occupancy, layers, radius, *wall, state.section);
         auto line = state.search.best(
-            state.section, 2.0 * radius * std::max(0.0, middle - storey.begin - 2));
+            state.section, 2.0 * radius * std::max(0.0, layers.slab - layers.floor));
         if (!line)
           return;
         const bool is_upright = line->lean == 0.0;
         refine(state.section, *line);
-        if (std::abs(line->lean) > slope)
+        if (std::abs(line->lean) > steepest_slope)
           return;
         wall->lean = is_upright ? 0.0 : line->lean;
         wall->weight = line->weight;

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "rooms/map/ceiling_slab.h"
+#include "rooms/map/room_map.h"
 
 #include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
@@ -16,6 +16,10 @@
 #include <vector>
 
 namespace pcl::indoor {
+
+/** \brief A lean less than this moves a wall by less than a voxel over the height of a
+ * storey. */
+constexpr double least_lean = 0.04;
 
 /** \brief A stretch of wall, seen from above. */
 struct WallStretch {
@@ -33,18 +37,10 @@ struct WallStretch {
  * and the curve of a vault do not matter as long as most of the wall is straight; below
  * lintels there is no stretch. Linear in the length of walls.
  * \param[in] occupancy of a storey; set = occupied
- * \param[in] storey the layers that count
- * \param[in] ceiling as ceilingLayers() gives it
- * \param[in] slab as slabLayers() gives it
- * \param[in] blocked as blockedColumns() gives it
+ * \param[in] map of the storey: its range, ceiling, slab and what is blocked
  */
 std::vector<WallStretch>
-wallStretches(const VoxelBits& occupancy,
-              const VerticalRange& storey,
-              const PixelMap<int>& ceiling,
-              const SlabLayers& slab,
-              const PixelMap<std::uint8_t>& blocked,
-              int threads = 0);
+wallStretches(const VoxelBits& occupancy, const RoomMap& map, int threads = 0);
 
 /** \brief The shift along x and y, per unit of height going down, of what stands around
  * each pixel: a least-squares fit to the walls within about a metre. One wall tells
@@ -59,9 +55,7 @@ leanMap(const std::vector<WallStretch>& stretches, int nx, int ny, double pixel_
 /** \brief The height of the slab's middle over each pixel, in layers; where there is no
  * ceiling, that below the storey's highest layer. */
 PixelMap<float>
-slabHeights(const VerticalRange& storey,
-            const PixelMap<int>& ceiling,
-            const SlabLayers& slab);
+slabHeights(const RoomMap& map);
 
 /** \brief Where something would be at the height of the slab if it stood upright.
  * \param[in] lean as leanMap() gives it

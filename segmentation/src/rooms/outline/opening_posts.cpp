@@ -58,9 +58,7 @@ OpeningPosts::add(const Eigen::Vector3f& point, std::int32_t cell)
   if (cell < 0 || !is_near_[pixel])
     return;
   const double height = point.z() - floor_;
-  const int below =
-      map_.ceiling.values[pixel] + map_.first_layer - cell % grid.shape.nz;
-  const bool in_slab = below >= map_.slab.first && below <= map_.slab.last;
+  const bool in_slab = map_.inSlab(pixel, cell % grid.shape.nz);
   const bool at_posts = height >= sill_height && height <= passage_height;
   if (!in_slab && !at_posts)
     return;

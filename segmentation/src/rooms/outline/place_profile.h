@@ -11,10 +11,6 @@
 
 namespace pcl::indoor {
 
-/** \brief Two standard deviations of a scanner's noise, metres: the width of a
- * PlaceProfile whose places are metres. */
-constexpr double crowd = 0.04;
-
 /** \brief Counts points along a line and tells where on it the first face across it is:
  * a floor seen from below, a wall or the post of a door seen from the room.
  *
@@ -25,8 +21,8 @@ class PlaceProfile {
 public:
   /** \param[in] begin,end what lies outside does not count
    * \param[in] width over which the points of one face scatter: some standard
-   * deviations of their noise (> 0), in the unit of the places; the resolution is a
-   * fortieth of it
+   * deviations of their noise (> 0), in the unit of the places, crowd if these are
+   * metres; the resolution is a fortieth of it
    */
   PlaceProfile(double begin, double end, double width);
 

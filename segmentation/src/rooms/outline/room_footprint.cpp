@@ -176,12 +176,11 @@ meeting(const Line& a, const Line& b)
 std::optional<Eigen::Vector2d>
 cornerBehind(const Line& one, const Line& next, const Ring& chain, double reach)
 {
-  constexpr double slack = 2.0; // pixels: sides lie that far from walls
   const Eigen::Vector2d first = one.foot(chain.front()), last = next.foot(chain.back());
   const double turn = crossOf(one.along, next.along);
-  if (std::abs(turn) < 0.3) { // one wall: at most its noise apart
+  if (std::abs(turn) < 0.3) { // one wall: sides lie that far from it
     const bool is_one = one.along.dot(next.along) > 0.0 &&
-                        std::abs(one.distance(last)) <= slack &&
+                        std::abs(one.distance(last)) <= behind_side &&
                         one.along.dot(last - first) > 0.0;
     return is_one ? std::make_optional<Eigen::Vector2d>(0.5 * (first + last))
                   : std::nullopt;
@@ -189,7 +188,7 @@ cornerBehind(const Line& one, const Line& next, const Ring& chain, double reach)
   const Eigen::Vector2d corner = meeting(one, next);
   const double ahead = one.along.dot(corner - first);
   const double back = next.along.dot(last - corner);
-  if (ahead < -slack || back < -slack || std::min(ahead, back) > reach)
+  if (ahead < -behind_side || back < -behind_side || std::min(ahead, back) > reach)
     return std::nullopt;
   return corner;
 }

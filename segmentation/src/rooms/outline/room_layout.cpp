@@ -99,9 +99,7 @@ slabPoints(const std::vector<Eigen::Vector3f>& points, const DetailedBuilding& b
     const RoomMap& map = building.room_maps[storey];
     const std::int32_t cell = building.occupancy.cells[i];
     const std::int32_t pixel = cell / grid.shape.nz;
-    const int below =
-        map.ceiling.values[pixel] + map.first_layer - cell % grid.shape.nz;
-    if (below < map.slab.first || below > map.slab.last)
+    if (!map.inSlab(pixel, cell % grid.shape.nz))
       continue;
     in_slab.all[label].push_back(static_cast<std::uint32_t>(i));
     if (upright[storey].values[pixel])
@@ -177,7 +175,7 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
   const auto& room_of = building.room_of.back();
   const FloorPlane on_floor(building.occupancy, map);
   const auto found = regionOpenings(
-      space.occupancy, map.range, map.ceiling, map.labels, map.free_labels);
+      {space.occupancy, map.range, map.ceiling, map.labels, map.free_labels});
   const OpeningPosts unseen(found, building.occupancy, map);
   OpeningPosts posts = unseen;
   parallelFor(

@@ -5,6 +5,7 @@
 
 #include "rooms/outline/room_levels.h"
 
+#include "rooms/dimensions.h"
 #include "rooms/outline/place_profile.h"
 
 #include <pcl/indoor/quantile.h>
@@ -70,7 +71,7 @@ public:
   {
     const std::int32_t nz = building_.occupancy.grid.shape.nz;
     const std::int32_t pixel = cell / nz;
-    const int below = map_.ceiling.values[pixel] + map_.first_layer - cell % nz;
+    const int below = map_.belowCeiling(pixel, cell % nz);
     if (below < 0 || below >= map_.slab.first) // in the slab itself nothing is there
       return;
     const std::int32_t label = map_.free_labels.values[pixel];

@@ -54,7 +54,7 @@ StoreyLabels::StoreyLabels(const std::vector<Eigen::Vector3f>& points,
 , radius_(0.5 * options.walls.window / occupancy.grid.voxel_size + 2.0)
 {
   if (!map.lean.values.empty())
-    slab_ = slabHeights(map.range, map.ceiling, map.slab);
+    slab_ = slabHeights(map);
 }
 
 void
@@ -135,13 +135,6 @@ StoreyLabels::pixelOf(std::size_t i, const Voxel& voxel) const
       map_.labels.index(static_cast<int>(place.x()), static_cast<int>(place.y())));
 }
 
-bool
-StoreyLabels::inSlab(const Voxel& voxel, std::int32_t pixel) const
-{
-  const int below = map_.ceiling.values[pixel] + map_.first_layer - voxel.layer;
-  return below >= map_.slab.first && below <= map_.slab.last;
-}
-
 /** Label the points by the map alone where there are no sides to choose and no walls
  * around to be fitted.
  * \return the others */
@@ -168,7 +161,8 @@ StoreyLabels::labelFarPoints(const std::vector<std::uint8_t>& storey_of,
         continue;
       const Voxel voxel = voxelOf(i);
       const std::int32_t pixel = pixelOf(i, voxel);
-      if (to_border.values[pixel] > (inSlab(voxel, pixel) ? 4 * reach : reach)) {
+      if (to_border.values[pixel] >
+          (map_.inSlab(pixel, voxel.layer) ? 4 * reach : reach)) {
         point_labels[i] = room_of[map_.labels.values[pixel]];
         continue;
       }
@@ -221,7 +215,8 @@ StoreyLabels::sortByPixels(int begin_row, int end_row, NearPoints& near) const
       const std::int32_t pixel = pixelOf(i, voxel);
       // The top of a wardrobe may lie in the slab, but it does not go on to the
       // ceiling.
-      const bool is_wall = map_.blocked.values[pixel] != 0 && inSlab(voxel, pixel);
+      const bool is_wall =
+          map_.blocked.values[pixel] != 0 && map_.inSlab(pixel, voxel.layer);
       state.group.push_back(2 * (pixel % ny) + !is_wall);
       state.places.push_back(placeOf(i, voxel).cast<float>());
       ++state.next[state.group.back() + 1];

@@ -65,9 +65,6 @@ private:
   std::int32_t
   pixelOf(std::size_t i, const Voxel& voxel) const;
 
-  bool
-  inSlab(const Voxel& voxel, std::int32_t pixel) const;
-
   NearPoints
   labelFarPoints(const std::vector<std::uint8_t>& storey_of,
                  std::uint8_t storey,

@@ -34,6 +34,38 @@ struct WallLine {
   }
 };
 
+/** The means of two halves of some values. */
+struct TwoMeans {
+  double middle = 0.0; ///< between them
+  double apart = 0.0;  ///< 0 if all values are in one half
+};
+
+/** \param[in] offsets from their mean */
+TwoMeans
+twoMeans(const std::vector<double>& offsets)
+{
+  TwoMeans means;
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    double below = 0.0, above = 0.0; // sums
+    std::size_t count = 0;           // above
+    for (const double t : offsets) { // without branches
+      const bool is_above = t > means.middle;
+      below += is_above ? 0.0 : t;
+      above += is_above ? t : 0.0;
+      count += is_above;
+    }
+    if (count == 0 || count == offsets.size())
+      break;
+    below /= static_cast<double>(offsets.size() - count);
+    above /= static_cast<double>(count);
+    means.apart = above - below;
+    if (means.middle == 0.5 * (below + above))
+      break;
+    means.middle = 0.5 * (below + above);
+  }
+  return means;
+}
+
 std::optional<WallLine>
 fitWall(const std::vector<Eigen::Vector2d>& points, const WallSideOptions& options)
 {
@@ -58,26 +90,7 @@ fitWall(const std::vector<Eigen::Vector2d>& points, const WallSideOptions& optio
   offsets.reserve(points.size());
   for (const auto& point : points)
     offsets.push_back(normal.dot(point - mean));
-  double middle = 0.0;
-  double apart = 0.0;
-  for (int iteration = 0; iteration < 4; ++iteration) {
-    double below = 0.0, above = 0.0; // sums
-    std::size_t count = 0;           // above
-    for (const double t : offsets) { // without branches
-      const bool is_above = t > middle;
-      below += is_above ? 0.0 : t;
-      above += is_above ? t : 0.0;
-      count += is_above;
-    }
-    if (count == 0 || count == offsets.size())
-      break;
-    below /= static_cast<double>(offsets.size() - count);
-    above /= static_cast<double>(count);
-    apart = above - below;
-    if (middle == 0.5 * (below + above))
-      break;
-    middle = 0.5 * (below + above);
-  }
+  const auto [middle, apart] = twoMeans(offsets);
   // Splitting the noise of one face puts the two means 2.7 (Gaussian) to 3.5 (uniform)
   // standard deviations within each half apart; those of two faces lie farther apart.
   const double within =
@@ -165,6 +178,54 @@ nearOtherRoom(const PixelMap<std::int32_t>& labels, int x, int y, int radius)
   return false;
 }
 
+/** The points at walls in the window around a pixel, as far as there are rows. */
+void
+wallPointsAround(const PixelPoints& points,
+                 const PixelMap<std::int32_t>& labels,
+                 const Eigen::Vector2i& pixel,
+                 int radius,
+                 std::vector<Eigen::Vector2d>& found)
+{
+  found.clear();
+  const std::size_t first_pixel = labels.index(points.begin_row, 0);
+  const int last_u = std::min(points.end_row - 1, pixel.x() + radius);
+  const int last_v = std::min(labels.ny - 1, pixel.y() + radius);
+  for (int u = std::max(points.begin_row, pixel.x() - radius); u <= last_u; ++u)
+    for (int v = std::max(0, pixel.y() - radius); v <= last_v; ++v) {
+      const std::size_t at = labels.index(u, v) - first_pixel;
+      for (std::uint32_t k = points.first[at]; k < points.walls_end[at]; ++k)
+        found.push_back(points.places[k].cast<double>());
+    }
+}
+
+/** The rooms on the two sides of a wall. */
+struct SideRooms {
+  std::int32_t above, below; ///< where side() is positive, and where it is not
+};
+
+/** \return nothing if the same room, or none, is on both sides near a pixel */
+std::optional<SideRooms>
+roomsOnSides(const PixelMap<std::int32_t>& free_labels,
+             const WallLine& line,
+             const Eigen::Vector2i& pixel,
+             double reach)
+{
+  const Eigen::Vector2d center(pixel.x() + 0.5, pixel.y() + 0.5);
+  const Eigen::Vector2d foot = center - line.side(center) * line.normal;
+  const RoomBeside above = roomBeside(free_labels, foot, line.normal, reach);
+  const RoomBeside below = roomBeside(free_labels, foot, -line.normal, reach);
+  if (above.label == below.label)
+    return std::nullopt;
+  // A wall without a room behind it, and one face of a thick wall, have one room.
+  const bool nearer_only =
+      !line.has_two_faces && std::abs(above.distance - below.distance) > 1.5;
+  if (below.label == 0 || (nearer_only && above.distance < below.distance))
+    return SideRooms{above.label, above.label};
+  if (above.label == 0 || nearer_only)
+    return SideRooms{below.label, below.label};
+  return SideRooms{above.label, below.label};
+}
+
 } // namespace
 
 void
@@ -176,16 +237,11 @@ assignWallSides(const PixelPoints& points,
                 int threads,
                 std::vector<std::int32_t>& point_labels)
 {
-  const std::size_t first_pixel =
-      static_cast<std::size_t>(points.begin_row) * labels.ny;
-  const auto place = [&](std::uint32_t k) -> Eigen::Vector2d {
-    return points.places[k].cast<double>();
-  };
+  const std::size_t first_pixel = labels.index(points.begin_row, 0);
   const int radius = voxelsIn(0.5 * options.window, pixel_size, 1);
   const double reach = options.reach / pixel_size;
   WallSideOptions in_pixels = options;
   in_pixels.max_thickness /= pixel_size;
-
   const int count = threadCount(threads);
   parallelFor(points.end_row - points.begin_row, count, 8, [&](std::ptrdiff_t row) {
     const int x = points.begin_row + static_cast<int>(row);
@@ -195,42 +251,22 @@ assignWallSides(const PixelPoints& points,
       const std::uint32_t begin = points.first[pixel], end = points.first[pixel + 1];
       if (begin == end || !nearOtherRoom(labels, x, y, radius))
         continue;
-      window.clear();
-      const int last_u = std::min(points.end_row - 1, x + radius);
-      const int last_v = std::min(labels.ny - 1, y + radius);
-      for (int u = std::max(points.begin_row, x - radius); u <= last_u; ++u)
-        for (int v = std::max(0, y - radius); v <= last_v; ++v) {
-          const std::size_t at = labels.index(u, v) - first_pixel;
-          for (std::uint32_t k = points.first[at]; k < points.walls_end[at]; ++k)
-            window.push_back(place(k));
-        }
+      wallPointsAround(points, labels, {x, y}, radius, window);
       if (window.size() < options.min_points)
         continue;
       const auto line = fitWall(window, in_pixels);
-      if (!line) { // a corner
-        for (std::uint32_t k = begin; k < end; ++k)
-          point_labels[k] = nearestRoom(free_labels, place(k), reach, point_labels[k]);
+      const auto rooms =
+          line ? roomsOnSides(free_labels, *line, {x, y}, reach) : std::nullopt;
+      if (line && !rooms)
         continue;
-      }
-      const Eigen::Vector2d center(x + 0.5, y + 0.5);
-      const Eigen::Vector2d foot = center - line->side(center) * line->normal;
-      RoomBeside above = roomBeside(free_labels, foot, line->normal, reach);
-      RoomBeside below = roomBeside(free_labels, foot, -line->normal, reach);
-      if (above.label == below.label)
-        continue;
-      // A wall without a room behind it, and one face of a thick wall, have one room.
-      const bool nearer_only =
-          !line->has_two_faces && std::abs(above.distance - below.distance) > 1.5;
-      if (below.label == 0 || (nearer_only && above.distance < below.distance))
-        below.label = above.label;
-      else if (above.label == 0 || nearer_only)
-        above.label = below.label;
       for (std::uint32_t k = begin; k < end; ++k) {
-        const double side = line->side(place(k));
-        if (std::abs(side) > line->half_thickness + 1.0) // another wall's
-          point_labels[k] = nearestRoom(free_labels, place(k), reach, point_labels[k]);
+        const Eigen::Vector2d place = points.places[k].cast<double>();
+        const double side = line ? line->side(place) : 0.0;
+        // at a corner, or another wall's
+        if (!line || std::abs(side) > line->half_thickness + 1.0)
+          point_labels[k] = nearestRoom(free_labels, place, reach, point_labels[k]);
         else
-          point_labels[k] = side > 0 ? above.label : below.label;
+          point_labels[k] = side > 0 ? rooms->above : rooms->below;
       }
     }
   });

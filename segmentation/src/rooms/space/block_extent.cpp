@@ -182,15 +182,14 @@ private:
 using SortedBlocks = std::vector<std::pair<std::uint64_t, std::uint32_t>>;
 
 SortedBlocks
-countBlocks(const std::vector<Eigen::Vector3f>& points,
-            const BlockExtentOptions& options)
+countBlocks(const std::vector<Eigen::Vector3f>& points, int threads)
 {
   const auto count = static_cast<std::ptrdiff_t>(points.size());
-  const double scale = 1.0 / options.block_size;
+  constexpr double scale = 1.0 / block_size;
   BlockCounts all;
   constexpr std::ptrdiff_t chunk = 1 << 16;
   parallelFor((count + chunk - 1) / chunk,
-              options.threads,
+              threads,
               1,
               [] { return BlockCounts(); },
               [&](BlockCounts& own, std::ptrdiff_t k) {
@@ -206,14 +205,16 @@ countBlocks(const std::vector<Eigen::Vector3f>& points,
   return all.sorted();
 }
 
+/** \brief Drop the blocks that do not count for the extent. */
 void
-dropSparse(SortedBlocks& blocks, double min_density)
+dropSparse(SortedBlocks& blocks)
 {
+  constexpr double few = 0.02; // of the median block's points: strays
   std::vector<std::uint32_t> counts;
   counts.reserve(blocks.size());
   for (const auto& block : blocks)
     counts.push_back(block.second);
-  const double least = min_density * median(counts);
+  const double least = few * median(counts);
   const auto sparse = [&](const auto& block) { return block.second < least; };
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(), sparse), blocks.end());
 }
@@ -272,7 +273,7 @@ connectedParts(const SortedBlocks& blocks)
 
 /** \brief Take parts into the box, largest first, while they are worth the space. */
 Part
-mergeWorthwhile(std::vector<Part> parts, double max_growth)
+mergeWorthwhile(std::vector<Part> parts)
 {
   std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
     return a.points > b.points;
@@ -283,7 +284,7 @@ mergeWorthwhile(std::vector<Part> parts, double max_growth)
     const Eigen::Array3d low = kept.low.min(part.low);
     const Eigen::Array3d high = kept.high.max(part.high);
     const double growth = (high - low).prod() - (kept.high - kept.low).prod();
-    if (growth > max_growth * part.blocks)
+    if (growth > most_growth * part.blocks)
       return false;
     kept.low = low;
     kept.high = high;
@@ -303,18 +304,17 @@ mergeWorthwhile(std::vector<Part> parts, double max_growth)
 } // namespace
 
 Box
-blockExtent(const std::vector<Eigen::Vector3f>& points,
-            const BlockExtentOptions& options)
+blockExtent(const std::vector<Eigen::Vector3f>& points, int threads)
 {
-  SortedBlocks blocks = countBlocks(points, options);
-  dropSparse(blocks, options.min_density);
-  const Part kept = mergeWorthwhile(connectedParts(blocks), options.max_growth);
+  SortedBlocks blocks = countBlocks(points, threads);
+  dropSparse(blocks);
+  const Part kept = mergeWorthwhile(connectedParts(blocks));
   // The noise of a surface on the border of a block lies in a block too sparse to
   // count.
   constexpr double noise = 0.5;
   Box box;
-  box.low = (kept.low - noise).matrix() * options.block_size;
-  box.high = (kept.high + noise).matrix() * options.block_size;
+  box.low = (kept.low - noise).matrix() * block_size;
+  box.high = (kept.high + noise).matrix() * block_size;
   return box;
 }
 

@@ -41,18 +41,19 @@ struct Box {
   }
 };
 
-struct BlockExtentOptions {
-  double block_size;  ///< metres
-  double max_growth;  ///< blocks of box per block of a part
-  double min_density; ///< share of the median block's points
-  int threads;
-};
+/** \brief Edge of the blocks that find the extent, metres; parts closer than this stay
+ * together. */
+constexpr double block_size = 1.0;
+
+/** \brief A separate part is kept if it enlarges the box by at most this many blocks
+ * per block of its own: a second building is, what glass mirrors is not. Larger keeps
+ * more and takes more memory. */
+constexpr double most_growth = 500.0;
 
 /** \brief The box of those connected parts of a cloud that are worth their space.
- * See OccupancyGridOptions. REQUIRES: at least one point, valid options.
+ * REQUIRES: at least one point.
  */
 Box
-blockExtent(const std::vector<Eigen::Vector3f>& points,
-            const BlockExtentOptions& options);
+blockExtent(const std::vector<Eigen::Vector3f>& points, int threads);
 
 } // namespace pcl::indoor

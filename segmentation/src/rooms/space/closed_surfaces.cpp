@@ -47,7 +47,7 @@ std::optional<VoxelBits>
 withoutGrounds(const VoxelBits& grid)
 {
   constexpr double grounds = 0.25; // of the columns; else they hardly matter
-  const auto person = std::lround(standing_height / grid.voxel_size);
+  const int person = voxelsIn(standing_height, grid.voxel_size);
   const int nz = grid.shape.nz;
   auto held = PixelMap<std::uint8_t>::filled(grid.shape.nx, grid.shape.ny, 0);
   PixelMap<std::uint8_t> walls = held;

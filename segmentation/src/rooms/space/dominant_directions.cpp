@@ -28,7 +28,7 @@ constexpr double frame_support = 0.02; // share of all weight that a frame expla
 constexpr double axis_contrast = 1.5;  // the normals around an axis are so many times
                                        // denser than those in the ring around them: a
                                        // curved wall has no axis
-constexpr std::size_t most_frames = 8;
+constexpr std::size_t most_frames = 8; // the best supported ones
 
 void
 requireValid(const std::vector<Eigen::Vector3d>& normals,
@@ -90,7 +90,7 @@ fit(const Eigen::Matrix3d& axes,
     const std::vector<char>& explained,
     double tolerance)
 {
-  constexpr double worth_if_explained = 0.2;
+  constexpr double worth_if_explained = 0.2; // of what a mode is worth
   double sum = 0.0;
   int axes_with_mode = 0;
   bool explains_more = false;
@@ -256,8 +256,9 @@ rank(const std::vector<WeightedDirection>& histogram,
 
 /** \brief The horizontal axes of a frame; at right angles, the stronger one first. */
 std::vector<HorizontalDirection>
-horizontalPair(const ManhattanFrame& frame, double max_tilt)
+horizontalPair(const ManhattanFrame& frame)
 {
+  constexpr double max_tilt = 0.17; // radians; the axes of roofs lean more
   std::vector<HorizontalDirection> pair;
   for (int axis = 0; axis < 3; ++axis)
     if (std::abs(frame.axes(2, axis)) <= std::sin(max_tilt))
@@ -295,13 +296,11 @@ manhattanFrames(const std::vector<Eigen::Vector3d>& normals,
 }
 
 std::vector<HorizontalDirection>
-horizontalDirections(const std::vector<ManhattanFrame>& frames,
-                     double max_tilt,
-                     double max_difference)
+horizontalDirections(const std::vector<ManhattanFrame>& frames)
 {
   std::vector<std::vector<HorizontalDirection>> pairs;
   for (const auto& frame : frames) {
-    pairs.push_back(horizontalPair(frame, max_tilt));
+    pairs.push_back(horizontalPair(frame));
     if (pairs.back().empty())
       pairs.pop_back();
   }
@@ -313,7 +312,7 @@ horizontalDirections(const std::vector<ManhattanFrame>& frames,
     const bool known =
         std::any_of(directions.begin(), directions.end(), [&](const auto& other) {
           return std::abs(other.direction.dot(pair[0].direction)) >=
-                 std::cos(max_difference);
+                 std::cos(same_direction);
         });
     if (!known)
       directions.insert(directions.end(), pair.begin(), pair.end());

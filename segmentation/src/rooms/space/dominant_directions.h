@@ -53,18 +53,14 @@ struct HorizontalDirection {
 
 /** \brief The horizontal axes of frames, strongest first.
  *
- * Axes that are the same within max_difference count once. Each direction is followed
+ * Axes that are the same_direction count once. Each direction is followed
  * by the one at right angles to it if that belongs to the same frame and is known, too.
  *
  * \param[in] frames result of manhattanFrames()
- * \param[in] max_tilt greatest angle of an axis with the horizontal plane, radians
- * \param[in] max_difference radians
  * \return at least two directions: if no frame has a horizontal axis, x and y with
  * support 0
  */
 std::vector<HorizontalDirection>
-horizontalDirections(const std::vector<ManhattanFrame>& frames,
-                     double max_tilt = 0.17,
-                     double max_difference = same_direction);
+horizontalDirections(const std::vector<ManhattanFrame>& frames);
 
 } // namespace pcl::indoor

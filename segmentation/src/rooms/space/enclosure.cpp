@@ -5,6 +5,8 @@
 
 #include "rooms/space/enclosure.h"
 
+#include "rooms/space/line_bundle.h"
+
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
@@ -44,39 +46,6 @@ requireValid(const std::vector<Eigen::Vector3d>& directions)
       PCL_THROW_EXCEPTION(BadArgumentException,
                           "A direction must be finite and not 0.");
 }
-
-/** \brief The discretised lines along a direction: line l holds, at step i of the major
- * axis, the column l + first + shift[i] of the minor axis.
- */
-struct LineBundle {
-  bool along_x;           // the major axis is x
-  int steps;              // length of the major axis
-  int width;              // length of the minor axis
-  std::vector<int> shift; // per step
-  int first;              // smallest number of a line
-  int count;              // number of lines
-
-  LineBundle(const GridShape& shape, const Eigen::Vector2d& direction)
-  : along_x(std::abs(direction.x()) >= std::abs(direction.y()))
-  , steps(along_x ? shape.nx : shape.ny)
-  , width(along_x ? shape.ny : shape.nx)
-  , shift(steps)
-  {
-    const double slope =
-        along_x ? direction.y() / direction.x() : direction.x() / direction.y();
-    for (int i = 0; i < steps; ++i)
-      shift[i] = static_cast<int>(std::floor(i * slope + 0.5));
-    const int last = steps > 0 ? shift.back() : 0;
-    first = -std::max(last, 0);
-    count = width - first - std::min(last, 0);
-  }
-
-  std::size_t
-  column(const GridShape& shape, int step, int across) const
-  {
-    return along_x ? shape.index(step, across, 0) : shape.index(across, step, 0);
-  }
-};
 
 /** \brief Sweep the lines begin ... end - 1 to and fro; state has nz values per line.
  */
@@ -281,20 +250,17 @@ CodedGains
 interiorGain(const VoxelMap<std::uint8_t>& occupancy,
              VoxelMap<std::uint8_t> bits,
              int direction_count,
-             const EnclosureWeights& weights,
-             double unit)
+             const EnclosureWeights& weights)
 {
   constexpr std::uint8_t occupied = 1 << passed_bit; // no way to be enclosed
   requireSameSize(occupancy.values.size(), occupancy.shape);
   requireSameSize(bits.values.size(), occupancy.shape);
-  if (!(unit > 0.0))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The unit must be positive, not " << unit << ".");
   CodedGains gains;
   gains.gain_of.fill(GRID_CUT_EXCLUDED);
   for (std::uint8_t value = 0; value < occupied; ++value) {
     const double gain =
-        (enclosureEvidence(value, direction_count, weights) - weights.exterior) / unit;
+        (enclosureEvidence(value, direction_count, weights) - weights.exterior) /
+        gain_unit;
     if (!(std::abs(gain) < grid_cut_max_gain))
       PCL_THROW_EXCEPTION(BadArgumentException,
                           "A gain of " << gain << " units leaves the range.");

@@ -65,7 +65,7 @@ enclosureEvidence(std::uint8_t bits,
 /** \brief How much cheaper it is to call each voxel interior than exterior: the unary
  * term of Eq. (3.2) as an integer for cutGrid(), in a byte per voxel.
  *
- * The gain is evidence - weights.exterior, rounded to multiples of unit. Eq. (3.1)
+ * The gain is evidence - weights.exterior, in multiples of gain_unit. Eq. (3.1)
  * speaks for the interior only; the constant for the exterior lets voxels with weak
  * evidence go outside.
  *
@@ -73,15 +73,13 @@ enclosureEvidence(std::uint8_t bits,
  * \param[in] bits result of enclosure(), whose memory becomes that of the codes
  * \param[in] direction_count number of directions that were given to enclosure()
  * \param[in] weights see EnclosureWeights
- * \param[in] unit the value of 1 in the result (> 0)
- * \throws pcl::BadArgumentException if the sizes differ, unit is not positive or a gain
- * leaves the range of the result
+ * \throws pcl::BadArgumentException if the sizes differ or a gain leaves the range of
+ * the result
  */
 CodedGains
 interiorGain(const VoxelMap<std::uint8_t>& occupancy,
              VoxelMap<std::uint8_t> bits,
              int direction_count,
-             const EnclosureWeights& weights = {},
-             double unit = gain_unit);
+             const EnclosureWeights& weights = {});
 
 } // namespace pcl::indoor

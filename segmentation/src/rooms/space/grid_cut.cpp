@@ -88,36 +88,4 @@ cutGrid(const GridShape& shape, const CodedGains& gain, int smoothness)
   return solveInWidth(shape, VoxelGains(gain), greatest, smoothness);
 }
 
-std::int64_t
-gridCutEnergy(const GridShape& shape,
-              const std::vector<std::int16_t>& gain,
-              int smoothness,
-              const std::vector<std::uint8_t>& inside)
-{
-  requireValid(shape, gain.size(), smoothness);
-  if (inside.size() != gain.size())
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        inside.size() << " labels do not fill a grid of "
-                                      << shape.size() << " voxels.");
-  const std::size_t y_step = shape.nz;
-  const std::size_t x_step = y_step * shape.ny;
-  const auto differ = [&](std::size_t a, std::size_t b) {
-    return gain[a] != GRID_CUT_EXCLUDED && gain[b] != GRID_CUT_EXCLUDED &&
-           (inside[a] != 0) != (inside[b] != 0);
-  };
-  std::int64_t unary = 0;
-  std::int64_t pairs = 0;
-  std::size_t v = 0;
-  for (int x = 0; x < shape.nx; ++x)
-    for (int y = 0; y < shape.ny; ++y)
-      for (int z = 0; z < shape.nz; ++z, ++v) {
-        if (gain[v] != GRID_CUT_EXCLUDED && (gain[v] > 0) != (inside[v] != 0))
-          unary += std::abs(static_cast<int>(gain[v]));
-        pairs += x > 0 && differ(v, v - x_step);
-        pairs += y > 0 && differ(v, v - y_step);
-        pairs += z > 0 && differ(v, v - 1);
-      }
-  return unary + pairs * smoothness;
-}
-
 } // namespace pcl::indoor

@@ -24,7 +24,7 @@ constexpr int grid_cut_max_smoothness = 16383;
 /** \brief The cheapest labelling of a grid. */
 struct GridCut {
   std::vector<std::uint8_t> inside; ///< 1 for voxels inside; 0 outside or excluded
-  std::int64_t energy = 0;          ///< gridCutEnergy() of this labelling
+  std::int64_t energy = 0;          ///< of this labelling, see cutGrid()
 };
 
 /** \brief A gain per voxel of a grid, where few are different: a byte per voxel, and
@@ -74,14 +74,5 @@ cutGrid(const GridShape& shape, const std::vector<std::int16_t>& gain, int smoot
 /** \brief The same with a byte per voxel. */
 GridCut
 cutGrid(const GridShape& shape, const CodedGains& gain, int smoothness);
-
-/** \brief The energy of a labelling; see cutGrid().
- * \param[in] inside per voxel, not 0 for inside; ignored where excluded
- */
-std::int64_t
-gridCutEnergy(const GridShape& shape,
-              const std::vector<std::int16_t>& gain,
-              int smoothness,
-              const std::vector<std::uint8_t>& inside);
 
 } // namespace pcl::indoor

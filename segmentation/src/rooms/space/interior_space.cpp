@@ -85,11 +85,9 @@ sampledNormals(const std::vector<Eigen::Vector3f>& points,
                const OccupancyGrid& building,
                int threads)
 {
-  VoxelNormalsOptions sampling;
-  sampling.threads = threads;
   std::vector<Eigen::Vector3f> chosen;
   const OccupancyGrid part = someTiles(points, building, chosen);
-  return voxelNormals(chosen, part, sampling);
+  return voxelNormals(chosen, part, threads);
 }
 
 /** The gain of each voxel, by Eq. (3.1). What it is found from is as large as the grid
@@ -108,7 +106,7 @@ gainIn(InteriorSpace& space,
   const int count = static_cast<int>(directions.size());
   auto bits = enclosure(occupancy, directions, threads);
   space.unseen = findUnseenSides(occupancy, bits, count);
-  return interiorGain(occupancy, std::move(bits), count, options.weights, gain_unit);
+  return interiorGain(occupancy, std::move(bits), count, options.weights);
 }
 
 } // namespace

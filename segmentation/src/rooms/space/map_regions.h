@@ -18,6 +18,32 @@ namespace pcl::indoor {
 
 enum class Neighbours { Four, Eight };
 
+/** \brief Call visit(other) for each pixel beside one, in the order of the map. */
+template <typename Value, typename Visit>
+void
+forEachNeighbour(const PixelMap<Value>& map,
+                 std::size_t pixel,
+                 Neighbours neighbours,
+                 const Visit& visit)
+{
+  const int x = static_cast<int>(pixel / map.ny);
+  const int y = static_cast<int>(pixel % map.ny);
+  for (int u = std::max(x - 1, 0); u <= std::min(x + 1, map.nx - 1); ++u)
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, map.ny - 1); ++v)
+      if ((u != x || v != y) && (neighbours == Neighbours::Eight || u == x || v == y))
+        visit(map.index(u, v));
+}
+
+/** \brief The same as floodFill() asks for it. */
+template <typename Value>
+auto
+neighboursIn(const PixelMap<Value>& map, Neighbours neighbours = Neighbours::Eight)
+{
+  return [&map, neighbours](std::size_t pixel, const auto& visit) {
+    forEachNeighbour(map, pixel, neighbours, visit);
+  };
+}
+
 /** \brief Call visit(pixels) for each connected region of pixels with the same value
  * other than 0, in the order of their first pixels. The region may be changed then.
  */
@@ -27,23 +53,16 @@ forEachRegion(const PixelMap<Value>& map, Neighbours neighbours, const Visitor& 
 {
   std::vector<std::uint8_t> seen(map.size(), 0);
   std::vector<std::size_t> region;
-  const auto for_each_neighbor = [&](std::size_t pixel, const auto& reach) {
-    const int x = static_cast<int>(pixel / map.ny);
-    const int y = static_cast<int>(pixel % map.ny);
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, map.nx - 1); ++u)
-      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, map.ny - 1); ++v)
-        if (neighbours == Neighbours::Eight || u == x || v == y)
-          reach(map.index(u, v));
-  };
   for (std::size_t start = 0; start < map.size(); ++start) {
     const Value value = map.values[start];
     if (value == Value{0} || seen[start])
       continue;
     region.assign(1, start);
     seen[start] = 1;
-    floodFill(region, for_each_neighbor, [&](std::size_t other, std::size_t) {
+    const auto enter = [&](std::size_t other, std::size_t) {
       return map.values[other] == value && !std::exchange(seen[other], 1);
-    });
+    };
+    floodFill(region, neighboursIn(map, neighbours), enter);
     visit(region);
   }
 }

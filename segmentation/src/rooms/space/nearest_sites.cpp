@@ -12,7 +12,7 @@
 namespace pcl::indoor {
 namespace {
 
-constexpr std::int64_t none = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
 
 /** Nearest site within each line along y, by a forward and a backward sweep. */
 void
@@ -92,9 +92,8 @@ private:
 NearestSites
 nearestSites(const PixelMap<std::uint8_t>& sites)
 {
-  NearestSites nearest{{sites.nx, sites.ny, {}}, {sites.nx, sites.ny, {}}};
-  nearest.site.values.assign(sites.size(), -1);
-  nearest.squared_distance.values.assign(sites.size(), static_cast<std::int32_t>(none));
+  NearestSites nearest{PixelMap<std::int32_t>::filled(sites.nx, sites.ny, -1),
+                       PixelMap<std::int32_t>::filled(sites.nx, sites.ny, none)};
   nearestInLines(sites, nearest);
 
   Envelope envelope(sites.nx);
@@ -121,14 +120,19 @@ nearestSites(const PixelMap<std::uint8_t>& sites)
   return nearest;
 }
 
+NearestSites
+nearestLabelled(const PixelMap<std::int32_t>& labels)
+{
+  auto sites = PixelMap<std::uint8_t>::filled(labels.nx, labels.ny, 0);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    sites.values[i] = labels.values[i] != 0;
+  return nearestSites(sites);
+}
+
 void
 growLabels(PixelMap<std::int32_t>& labels, double reach)
 {
-  PixelMap<std::uint8_t> sites{labels.nx, labels.ny, {}};
-  sites.values.resize(labels.size());
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    sites.values[i] = labels.values[i] != 0;
-  const NearestSites nearest = nearestSites(sites);
+  const NearestSites nearest = nearestLabelled(labels);
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (nearest.site.values[i] >= 0 &&
         nearest.squared_distance.values[i] <= reach * reach)

@@ -29,6 +29,10 @@ struct NearestSites {
 NearestSites
 nearestSites(const PixelMap<std::uint8_t>& sites);
 
+/** \brief The same of the pixels with a label other than 0. */
+NearestSites
+nearestLabelled(const PixelMap<std::int32_t>& labels);
+
 /** \brief Give every pixel without label (0) the label of the nearest labelled one.
  * \param[in,out] labels 0 = none
  * \param[in] reach greatest distance, in pixels

@@ -50,21 +50,6 @@ requireValid(const OccupancyGridOptions& options)
                                                                 << " m.");
   if (!std::isfinite(options.yaw))
     PCL_THROW_EXCEPTION(BadArgumentException, "The yaw must be finite.");
-  if (options.margin < 0)
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The margin must not be negative, not " << options.margin
-                                                                << ".");
-  if (!(options.block_size > 0.0) || !std::isfinite(options.block_size))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The block size must be positive, not " << options.block_size
-                                                                << " m.");
-  if (!(options.max_growth >= 0.0) || !(options.min_density >= 0.0) ||
-      !(options.min_density <= 1.0))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The growth must not be negative and the density must lie in "
-                        "0 ... 1, not "
-                            << options.max_growth << " and " << options.min_density
-                            << ".");
 }
 
 /** \brief The box, in the turned frame, of the points in a box of the frame as it is.
@@ -98,21 +83,20 @@ tightBox(const std::vector<Eigen::Vector3f>& points,
 
 /** \brief The empty grid around a box. */
 VoxelBits
-gridAround(const Box& box, const OccupancyGridOptions& options)
+gridAround(const Box& box, double voxel_size)
 {
+  constexpr int margin = 1; // free voxels on every side
   VoxelBits grid;
-  grid.voxel_size = options.voxel_size;
+  grid.voxel_size = voxel_size;
   // Half a voxel more below, so that the lowest plane of the cloud (noisy itself) does
   // not lie on the border of two layers.
-  grid.origin =
-      box.low - Eigen::Vector3d::Constant((options.margin + 0.5) * options.voxel_size);
+  grid.origin = box.low - Eigen::Vector3d::Constant((margin + 0.5) * voxel_size);
   const Eigen::Vector3d sizes =
-      ((box.high - grid.origin) / options.voxel_size).array().floor() + 1.0 +
-      options.margin;
+      ((box.high - grid.origin) / voxel_size).array().floor() + 1.0 + margin;
   if (!(sizes.prod() < static_cast<double>(std::numeric_limits<std::int32_t>::max())))
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "A grid of " << sizes.x() << " x " << sizes.y() << " x "
-                                     << sizes.z() << " voxels of " << options.voxel_size
+                                     << sizes.z() << " voxels of " << voxel_size
                                      << " m is too large.");
   grid.reset({static_cast<int>(sizes.x()),
               static_cast<int>(sizes.y()),
@@ -184,10 +168,8 @@ occupancyGrid(const std::vector<Eigen::Vector3f>& points,
   if (points.empty())
     return result;
   const Turn turn(options.yaw);
-  const BlockExtentOptions extent{
-      options.block_size, options.max_growth, options.min_density, threads};
-  const Box box = tightBox(points, turn, blockExtent(points, extent), threads);
-  result.grid = gridAround(box, options);
+  const Box box = tightBox(points, turn, blockExtent(points, threads), threads);
+  result.grid = gridAround(box, options.voxel_size);
   fill(points, turn, box, threads, result);
   return result;
 }

@@ -18,18 +18,10 @@
 namespace pcl::indoor {
 
 struct OccupancyGridOptions {
-  double voxel_size = 0.2;   ///< edge length of a voxel, metres (> 0)
-  double yaw = 0.0;          ///< angle of the grid's x axis in the frame of the points,
-                             ///< radians, counter-clockwise about z (finite)
-  int margin = 1;            ///< free voxels around the points on every side (>= 0)
-  double block_size = 1.0;   ///< edge of the coarse blocks that find the extent, metres
-                             ///< (> 0); parts closer than this stay together
-  double max_growth = 500.0; ///< a separate part of the cloud is kept if it enlarges
-                             ///< the box by at most this many blocks per block of its
-                             ///< own (>= 0); larger keeps more and takes more memory
-  double min_density = 0.02; ///< blocks with fewer points than this share of the median
-                             ///< block's do not count for the extent (0 ... 1)
-  int threads = 0;           ///< number of threads (>= 0; 0 = automatic)
+  double voxel_size = 0.2; ///< edge length of a voxel, metres (> 0)
+  double yaw = 0.0;        ///< angle of the grid's x axis in the frame of the points,
+                           ///< radians, counter-clockwise about z (finite)
+  int threads = 0;         ///< number of threads (>= 0; 0 = automatic)
 };
 
 /** \brief An occupancy grid and the place of every point in it. */
@@ -44,9 +36,10 @@ struct OccupancyGrid : TurnedFrame {
  *
  * The extent of the grid is found first, on coarse blocks: connected parts of the
  * cloud are taken in, largest first, as long as they do not enlarge the box out of
- * proportion. A few points hundreds of metres away (seen through or mirrored by glass)
- * thus cost nothing. Time and memory are linear in points, occupied blocks and voxels.
- * The result depends neither on the number of threads nor on the order of the points.
+ * proportion, see blockExtent(); around it one layer of voxels is free on every side. A
+ * few points hundreds of metres away (seen through or mirrored by glass) thus cost
+ * nothing. Time and memory are linear in points, occupied blocks and voxels. The result
+ * depends neither on the number of threads nor on the order of the points.
  *
  * \param[in] points finite points near the origin (a float keeps 0.01 mm at 100 m)
  * \param[in] options see OccupancyGridOptions

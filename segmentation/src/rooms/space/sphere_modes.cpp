@@ -15,8 +15,8 @@ namespace pcl::indoor {
 
 namespace {
 
-constexpr int cells_per_side = 96;
-constexpr int max_seeds = 200;
+constexpr int cells_per_side = 96; // of a face of the cube: about a degree
+constexpr int max_seeds = 200;     // bounds the time: the heaviest cells come first
 
 int
 cellOf(const Eigen::Vector3d& normal, double& sign)
@@ -67,7 +67,7 @@ symmetricRing(const std::vector<WeightedDirection>& histogram,
               const Eigen::Vector3d& axis,
               double cone)
 {
-  constexpr int sectors = 8;
+  constexpr int sectors = 8; // of the ring: opposite ones are compared
   std::array<double, sectors> ring{};
   const Eigen::Vector3d u = axis.unitOrthogonal();
   const Eigen::Vector3d v = axis.cross(u);

@@ -5,6 +5,8 @@
 
 #include "rooms/space/surface_triangles.h"
 
+#include "rooms/dimensions.h"
+
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/point_cells.h>
 #include <pcl/indoor/threads.h>
@@ -26,8 +28,9 @@ using Triangle = std::array<std::uint32_t, 3>;
 constexpr float near_radius = 0.4f; // metres: enough where places are dense
 constexpr float far_radius = 1.0f;  // metres: to find planes where they are sparse
 constexpr float widest_gap = 0.8f;  // metres: doorways are wider
-constexpr std::size_t most_neighbors = 30;
-constexpr int directions = 8;
+constexpr float noise = static_cast<float>(crowd);
+constexpr std::size_t most_neighbors = 30; // that planes are told by
+constexpr int directions = 8;              // around a place
 
 /** A place beside another. */
 struct Neighbor {
@@ -127,7 +130,7 @@ fittedNormal(const Places& offsets, std::size_t begin)
 Eigen::Vector3f
 takeCommonPlane(Places& offsets, float tolerance, std::size_t least)
 {
-  constexpr int trials = 40;
+  constexpr int trials = 40;   // enough where half of the places lie on the plane
   constexpr float flat = 0.3f; // sine of the angle between two offsets
   Eigen::Vector3f best = Eigen::Vector3f::Zero();
   if (offsets.size() < least)
@@ -168,11 +171,10 @@ takeCommonPlane(Places& offsets, float tolerance, std::size_t least)
 Planes
 planesThrough(std::vector<Neighbor>& neighbors)
 {
-  constexpr float least_tolerance = 0.04f; // metres: noise
-  constexpr float tolerance = 0.08f;       // of the farthest neighbour's distance
+  constexpr float tolerance = 0.08f; // of the farthest neighbour's distance
   constexpr std::size_t least_counts[] = {11, 7}; // on the first plane, on a second one
-  constexpr std::size_t twelfth = 11;
-  constexpr float least_gap = 0.25f; // metres
+  constexpr std::size_t twelfth = 11;             // neighbour, see the header
+  constexpr float least_gap = 0.25f;              // metres
   Planes planes;
   const std::size_t count = std::min(neighbors.size(), most_neighbors);
   if (count < least_counts[0])
@@ -185,7 +187,7 @@ planesThrough(std::vector<Neighbor>& neighbors)
     return std::sqrt(neighbors[std::min(i, count - 1)].squared_distance);
   };
   planes.gap = std::clamp(2.0f * distance(twelfth), least_gap, widest_gap);
-  const float off = std::max(least_tolerance, tolerance * distance(count - 1));
+  const float off = std::max(noise, tolerance * distance(count - 1));
   for (const std::size_t least : least_counts) {
     const Eigen::Vector3f normal = takeCommonPlane(offsets, off, least);
     if (normal.isZero())
@@ -214,13 +216,12 @@ addTrianglesAt(std::uint32_t place,
                const std::vector<Planes>& planes,
                std::vector<Triangle>& triangles)
 {
-  constexpr float least_step = 0.04f; // metres
-  constexpr float step = 0.2f;        // of the distance
+  constexpr float step = 0.2f; // of the distance
   const Eigen::Vector3f right = normal.unitOrthogonal(), up = normal.cross(right);
   std::array<const Neighbor*, directions> nearest{};
   for (const Neighbor& each : neighbors) {
     const float off = std::abs(each.offset.dot(normal));
-    if (off > least_step && off * off > step * step * each.squared_distance)
+    if (off > noise && off * off > step * step * each.squared_distance)
       continue;
     const double angle = std::atan2(each.offset.dot(up), each.offset.dot(right));
     const Neighbor*& best =

@@ -7,6 +7,7 @@
 
 #include "rooms/dimensions.h"
 #include "rooms/space/enclosure.h"
+#include "rooms/space/greatest_around.h"
 #include "rooms/space/nearest_sites.h"
 
 #include <algorithm>
@@ -22,22 +23,6 @@ struct WallEnds {
   PixelMap<std::uint8_t> is_near; ///< whether a wall is
 };
 
-/** The least value within some pixels along x and y. */
-PixelMap<int>
-leastAround(const PixelMap<int>& map, int radius)
-{
-  PixelMap<int> along_x = map, result = map;
-  for (int x = 0; x < map.nx; ++x)
-    for (int y = 0; y < map.ny; ++y)
-      for (int u = std::max(0, x - radius); u <= std::min(map.nx - 1, x + radius); ++u)
-        along_x.at(x, y) = std::min(along_x.at(x, y), map.at(u, y));
-  for (int x = 0; x < map.nx; ++x)
-    for (int y = 0; y < map.ny; ++y)
-      for (int v = std::max(0, y - radius); v <= std::min(map.ny - 1, y + radius); ++v)
-        result.at(x, y) = std::min(result.at(x, y), along_x.at(x, v));
-  return result;
-}
-
 /** The ends of the columns that are as high as a person, carried to the others: a
  * cupboard stands near to its wall. */
 WallEnds
@@ -48,9 +33,8 @@ wallEnds(const VoxelMap<std::uint8_t>& occupancy)
   const int person = voxelsIn(standing_height, occupancy.voxel_size);
   const int radius = voxelsIn(surroundings, occupancy.voxel_size);
   auto walls = PixelMap<std::uint8_t>::filled(shape.nx, shape.ny, 0);
-  PixelMap<int> low{shape.nx, shape.ny, {}};
-  low.values.assign(low.size(), shape.nz); // no wall
-  PixelMap<int> negative_high = low;
+  auto negative_low = PixelMap<int>::filled(shape.nx, shape.ny, -shape.nz); // no wall
+  auto high = PixelMap<int>::filled(shape.nx, shape.ny, -1);
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const auto* column = &occupancy.values[i * shape.nz];
     int first = 0, last = shape.nz - 1;
@@ -60,21 +44,21 @@ wallEnds(const VoxelMap<std::uint8_t>& occupancy)
       --last;
     walls.values[i] = last - first >= person;
     if (walls.values[i]) {
-      low.values[i] = first;
-      negative_high.values[i] = -last;
+      negative_low.values[i] = -first;
+      high.values[i] = last;
     }
   }
-  const PixelMap<int> lowest = leastAround(low, radius);
-  const PixelMap<int> negative_highest = leastAround(negative_high, radius);
+  const PixelMap<int> negative_lowest = greatestAround(negative_low, radius);
+  const PixelMap<int> highest = greatestAround(high, radius);
   const NearestSites nearest = nearestSites(walls);
-  WallEnds ends{low, low, walls};
+  WallEnds ends{high, high, walls};
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const std::int32_t site = nearest.site.values[i];
     const double away = occupancy.voxel_size *
                         std::sqrt(std::max(0, nearest.squared_distance.values[i]));
     ends.is_near.values[i] = site >= 0 && away <= near_wall;
-    ends.low.values[i] = site < 0 ? shape.nz : lowest.values[site];
-    ends.high.values[i] = site < 0 ? -1 : -negative_highest.values[site];
+    ends.low.values[i] = site < 0 ? shape.nz : -negative_lowest.values[site];
+    ends.high.values[i] = site < 0 ? -1 : highest.values[site];
   }
   return ends;
 }

@@ -20,24 +20,13 @@ namespace pcl::indoor {
 namespace {
 
 void
-requireValid(const std::vector<Eigen::Vector3f>& points,
-             const OccupancyGrid& grid,
-             const VoxelNormalsOptions& options)
+requireValid(const std::vector<Eigen::Vector3f>& points, const OccupancyGrid& grid)
 {
   if (grid.cells.size() != points.size())
     PCL_THROW_EXCEPTION(BadArgumentException,
                         "The grid was made of " << grid.cells.size()
                                                 << " points, not of " << points.size()
                                                 << ".");
-  if (options.keep_one_in < 0 || options.min_points < 3)
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "keep_one_in must be at least 0 and min_points at least 3, not "
-                            << options.keep_one_in << " and " << options.min_points
-                            << ".");
-  if (!(options.min_flatness >= 0.0) || !(options.min_flatness <= 1.0))
-    PCL_THROW_EXCEPTION(BadArgumentException,
-                        "The least flatness must lie in 0 ... 1, not "
-                            << options.min_flatness << ".");
 }
 
 /** \brief Sums over the points of a voxel, relative to its centre: floats are enough.
@@ -213,18 +202,16 @@ isChosen(const Eigen::Vector3i& place, int keep_one_in)
 WeightedNormals
 voxelNormals(const std::vector<Eigen::Vector3f>& points,
              const OccupancyGrid& grid,
-             const VoxelNormalsOptions& options)
+             int threads)
 {
-  requireValid(points, grid, options);
-  const int threads = threadCount(options.threads);
+  constexpr int enough = 10000; // voxels; fewer blur the directions
+  requireValid(points, grid);
+  threads = threadCount(threads);
   const GridShape& shape = grid.grid.shape;
   const OccupiedVoxels occupied(grid.cells, shape.size());
   const std::vector<Moments> moments = sumUp(points, grid, occupied, threads);
   const auto count = static_cast<std::ptrdiff_t>(moments.size());
-  constexpr int enough = 10000;
-  const int keep_one_in = options.keep_one_in > 0
-                              ? options.keep_one_in
-                              : std::max(1, static_cast<int>(count / enough));
+  const int keep_one_in = std::max(1, static_cast<int>(count / enough));
   std::vector<Eigen::Vector3d> normals(moments.size());
   std::vector<double> weights(moments.size(), 0.0);
 #pragma omp parallel for schedule(static) num_threads(threads)
@@ -235,13 +222,13 @@ voxelNormals(const std::vector<Eigen::Vector3f>& points,
     double inside = 0.0;
     const Eigen::Matrix3d scatter =
         scatterAround(place, shape, occupied, moments, inside);
-    if (inside < options.min_points)
+    if (inside < plane_points)
       continue;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(scatter);
     const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);
     const double flatness = (values[1] - values[0]) / values[2];
-    if (!(flatness >= options.min_flatness) || !(flatness > 0.0))
+    if (!(flatness >= plane_flatness))
       continue;
     normals[n] = solver.eigenvectors().col(0).normalized();
     weights[n] = flatness;

@@ -19,15 +19,6 @@ namespace pcl::indoor {
 constexpr int plane_points = 6;
 constexpr double plane_flatness = 0.3;
 
-struct VoxelNormalsOptions {
-  int keep_one_in =
-      0; ///< a normal for about every n-th occupied voxel (>= 0; 0 = so that
-         ///< some 10,000 voxels are looked at: enough for directions)
-  int min_points = plane_points;        ///< fewest points of a neighbourhood (>= 3)
-  double min_flatness = plane_flatness; ///< of a neighbourhood, at least (0 ... 1)
-  int threads = 0;                      ///< number of threads (>= 0; 0 = automatic)
-};
-
 /** \brief Unit normals without orientation, and how much each counts. */
 struct WeightedNormals {
   std::vector<Eigen::Vector3d> normals;
@@ -40,17 +31,19 @@ struct WeightedNormals {
  * the least scatter in a neighbourhood of 3 x 3 x 3 voxels; its weight is the flatness
  * there, so that a surface counts by its area and not by its point density. Meant for
  * statistics of directions: much faster than normals of points (linear in points and
- * voxels), and a thin wall that was seen from both sides gives one clean normal.
+ * voxels), and a thin wall that was seen from both sides gives one clean normal. Some
+ * 10,000 voxels are looked at: enough for directions.
  *
  * \param[in] points the points that the grid was made of
  * \param[in] grid their occupancyGrid(); its values are not read
+ * \param[in] threads 0 = automatic; the result does not depend on it
  * \return normals in the frame of the points, in the order of the voxels
- * \throws pcl::BadArgumentException if grid and points do not belong together or an
- * option is out of range
+ * \throws pcl::BadArgumentException if grid and points do not belong together or
+ * threads is negative
  */
 WeightedNormals
 voxelNormals(const std::vector<Eigen::Vector3f>& points,
              const OccupancyGrid& grid,
-             const VoxelNormalsOptions& options = {});
+             int threads = 0);
 
 } // namespace pcl::indoor

@@ -5,8 +5,9 @@
 
 #include "rooms/storeys/storey_openings.h"
 
+#include "rooms/dimensions.h"
+#include "rooms/space/greatest_around.h"
 #include "rooms/space/map_regions.h"
-#include "rooms/storeys/rectangle_sums.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,21 +21,18 @@ namespace {
 using Mask = PixelMap<std::uint8_t>;
 
 /** \brief Close holes that are narrower than twice the radius. */
-PixelMap<float>
-closed(const PixelMap<float>& map, int radius)
+PixelMap<int>
+closed(PixelMap<int> map, int radius)
 {
-  PixelMap<float> grown = map;
-  RectangleSums set(map);
-  for (int x = 0; x < map.nx; ++x)
-    for (int y = 0; y < map.ny; ++y)
-      grown.at(x, y) = set.around(x, y, radius) > 0.0;
-  PixelMap<float> result = map;
-  RectangleSums grown_set(grown);
-  for (int x = 0; x < map.nx; ++x)
-    for (int y = 0; y < map.ny; ++y)
-      result.at(x, y) =
-          grown_set.around(x, y, radius) == grown_set.pixelsAround(x, y, radius);
-  return result;
+  const auto negate = [&map] {
+    for (int& value : map.values)
+      value = -value;
+  };
+  map = greatestAround(std::move(map), radius);
+  negate();
+  map = greatestAround(std::move(map), radius); // the least
+  negate();
+  return map;
 }
 
 enum State : std::uint8_t { UNKNOWN, CUT, OPEN, OPEN_BELOW_CEILING };
@@ -117,24 +115,21 @@ openColumns(const VoxelBits& occupancy,
 {
   const GridShape& shape = occupancy.shape;
   const double size = occupancy.voxel_size;
-  const auto whole = closed(slab, voxelsIn(options.bridge, size));
-  constexpr double min_depth = 0.5; // of a floor below the level, metres
-  const int depth = voxelsIn(min_depth, size);
+  const auto whole =
+      closed({slab.nx, slab.ny, {slab.values.begin(), slab.values.end()}},
+             voxelsIn(options.bridge, size));
+  const int depth = voxelsIn(thickest_wall, size); // of a floor below the level
   const int clearance = voxelsIn(options.min_clearance, size);
-  Mask states;
-  states.nx = shape.nx;
-  states.ny = shape.ny;
-  states.values.assign(states.size(), UNKNOWN);
+  auto states = Mask::filled(shape.nx, shape.ny, UNKNOWN);
   for (int x = 0; x < shape.nx; ++x)
     for (int y = 0; y < shape.ny; ++y)
       states.at(x, y) =
-          whole.at(x, y) > 0.0f
+          whole.at(x, y) != 0
               ? CUT
               : openness(occupancy.column(x, y), shape.nz, level, depth, clearance);
-  constexpr double lintel_low = 0.7, lintel_high = 0.5; // below the level, metres
   cutGalleries(occupancy,
-               level - voxelsIn(lintel_low, size),
-               level - voxelsIn(lintel_high, size),
+               level - voxelsIn(thickest_wall + lintel_height, size),
+               level - voxelsIn(thickest_wall, size),
                states);
   constexpr double largest_gap = 2.0; // in what was seen, m^2
   cutSmallOpenings(

@@ -5,8 +5,8 @@
 #include "rooms/storeys/storey_plan.h"
 
 #include "rooms/dimensions.h"
+#include "rooms/space/map_regions.h"
 
-#include <pcl/indoor/flood_fill.h>
 #include <pcl/indoor/quantile.h>
 
 #include <Eigen/Core>
@@ -55,11 +55,11 @@ public:
   , storeys_(storeys)
   , storey_(s)
   , gap_(voxelsIn(least_height, grid.voxel_size, 1))
-  , columns_{grid.shape.nx, grid.shape.ny, {}}
+  , columns_(PixelMap<std::uint8_t>::filled(grid.shape.nx, grid.shape.ny, nothing))
+  , lowest_(PixelMap<int>::filled(grid.shape.nx, grid.shape.ny, 0))
+  , sides_(PixelMap<std::uint8_t>::filled(grid.shape.nx, grid.shape.ny, 0))
   {
     findHeights();
-    columns_.values.assign(columns_.size(), nothing);
-    lowest_ = {columns_.nx, columns_.ny, std::vector<int>(columns_.size(), 0)};
     for (int x = 0; x < columns_.nx; ++x)
       for (int y = 0; y < columns_.ny; ++y)
         columns_.at(x, y) = columnAt(x, y);
@@ -166,14 +166,6 @@ private:
   {
     const double least = least_room / (grid_.voxel_size * grid_.voxel_size);
     auto reached = PixelMap<std::uint8_t>::filled(columns_.nx, columns_.ny, 0);
-    const auto for_each_neighbor = [&](std::size_t pixel, const auto& visit) {
-      const int x = static_cast<int>(pixel) / columns_.ny;
-      const int y = static_cast<int>(pixel) % columns_.ny;
-      for (const auto& [u, v] :
-           {std::pair{x + 1, y}, {x - 1, y}, {x, y + 1}, {x, y - 1}})
-        if (columns_.contains(u, v))
-          visit(columns_.index(u, v));
-    };
     const auto enter = [&](std::size_t other, std::size_t from) {
       return (columns_.values[other] & low) != 0 &&
              std::abs(lowest_.values[other] - lowest_.values[from]) <= 1 &&
@@ -183,7 +175,7 @@ private:
       if (!enter(start, start))
         continue;
       std::vector<std::size_t> patch = {start};
-      floodFill(patch, for_each_neighbor, enter);
+      floodFill(patch, neighboursIn(columns_, Neighbours::Four), enter);
       if (static_cast<double>(patch.size()) >= least)
         for (const auto pixel : patch)
           columns_.values[pixel] |= floor;
@@ -194,8 +186,6 @@ private:
   void
   findSides()
   {
-    sides_ = {columns_.nx, columns_.ny, {}};
-    sides_.values.assign(sides_.size(), 0);
     const int last_x = columns_.nx - 1, last_y = columns_.ny - 1;
     for (int x = 0; x <= last_x; ++x) {
       addSides({x, 0}, {0, 1});

@@ -14,7 +14,6 @@
 namespace pcl::indoor {
 
 constexpr double least_height = 1.0; // metres, of free space and of a scan with rooms
-constexpr double least_room = 4.0;   // m^2
 
 /** Pixels of the storeys' plans. */
 struct PlaceCounts {

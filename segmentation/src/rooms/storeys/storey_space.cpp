@@ -25,9 +25,8 @@ columnRanges(const VoxelBits& grid, const Storeys& storeys, std::size_t k)
     const double layer = (height - grid.origin.z()) / grid.voxel_size;
     return static_cast<int>(std::clamp(std::floor(layer), -1.0, double(nz)));
   };
-  ColumnRanges ranges{{grid.shape.nx, grid.shape.ny, {}}, {}, nz, 0};
-  ranges.begin.values.assign(ranges.begin.size(), 0);
-  ranges.end = ranges.begin;
+  const auto none = PixelMap<int>::filled(grid.shape.nx, grid.shape.ny, 0);
+  ColumnRanges ranges{none, none, nz, 0};
   for (std::size_t i = 0; i < ranges.begin.size(); ++i) {
     int& begin = ranges.begin.values[i];
     int& end = ranges.end.values[i];

@@ -5,6 +5,8 @@
 
 #include "thesis/rooms/field_connectivity.h"
 
+#include "rooms/space/map_regions.h"
+
 #include <pcl/indoor/disjoint_sets.h>
 
 #include <pcl/exceptions.h>
@@ -54,8 +56,7 @@ descendingPixels(const std::vector<float>& level)
 } // namespace
 
 FieldConnectivity::FieldConnectivity(const PixelMap<float>& field,
-                                     std::vector<float> thresholds,
-                                     PixelNeighbourhood neighbourhood)
+                                     std::vector<float> thresholds)
 {
   if (field.values.size() != field.size())
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
@@ -71,7 +72,7 @@ FieldConnectivity::FieldConnectivity(const PixelMap<float>& field,
     for (float& value : own_level_)
       value = reachedThreshold(value, thresholds);
   }
-  linkPixels(field, neighbourhood);
+  linkPixels(field);
   buildRangeMinima();
 }
 
@@ -79,8 +80,7 @@ FieldConnectivity::FieldConnectivity(const PixelMap<float>& field,
 // two that meet are joined end to end, and the level of the meeting is kept at the
 // joint.
 void
-FieldConnectivity::linkPixels(const PixelMap<float>& field,
-                              PixelNeighbourhood neighbourhood)
+FieldConnectivity::linkPixels(const PixelMap<float>& field)
 {
   const std::size_t count = field.size();
   std::vector<int> next(count, -1), head(count), tail(count);
@@ -102,15 +102,10 @@ FieldConnectivity::linkPixels(const PixelMap<float>& field,
   };
   for (const int pixel : descendingPixels(own_level_)) {
     present[pixel] = 1;
-    const int x = pixel / field.ny, y = pixel % field.ny;
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, field.nx - 1); ++u)
-      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, field.ny - 1); ++v) {
-        if (neighbourhood == PixelNeighbourhood::Four && u != x && v != y)
-          continue;
-        const auto neighbour = static_cast<std::uint32_t>(field.index(u, v));
-        if (present[neighbour])
-          connect(static_cast<std::uint32_t>(pixel), neighbour);
-      }
+    forEachNeighbour(field, pixel, Neighbours::Eight, [&](std::size_t other) {
+      if (present[other])
+        connect(static_cast<std::uint32_t>(pixel), static_cast<std::uint32_t>(other));
+    });
   }
   position_.resize(count);
   gaps_.clear();

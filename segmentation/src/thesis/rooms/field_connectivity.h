@@ -14,17 +14,14 @@
 
 namespace pcl::indoor {
 
-/** \brief Which pixels of a map touch each other. */
-enum class PixelNeighbourhood { Four = 4, Eight = 8 };
-
 /** \brief The distance between pixels through a field map (Eq. (3.3) of the thesis).
  *
- * Two pixels are connected at a threshold if a path of neighbouring pixels leads from
- * one to the other on which no value lies below the threshold. Their distance is a -
- * (the highest threshold at which they are connected), with a the largest value of the
- * map, and a if they never are. Eq. (3.3) is printed with a maximum that could never
- * lower its initial value a; this is what it means. It is an ultrametric, so that N
- * values describe all N x N distances: the pixels stand in a row in which each
+ * Two pixels are connected at a threshold if a path of neighbouring pixels (8) leads
+ * from one to the other on which no value lies below the threshold. Their distance is a
+ * - (the highest threshold at which they are connected), with a the largest value of
+ * the map, and a if they never are. Eq. (3.3) is printed with a maximum that could
+ * never lower its initial value a; this is what it means. It is an ultrametric, so that
+ * N values describe all N x N distances: the pixels stand in a row in which each
  * component at each threshold is a contiguous piece, and the level at which two pixels
  * are connected is the smallest of the levels between their places in that row.
  *
@@ -37,14 +34,11 @@ public:
    * others
    * \param[in] thresholds those tried, in any order; empty = every value that occurs,
    * which is the limit of many thresholds
-   * \param[in] neighbourhood which pixels are neighbours
    * \throws pcl::BadArgumentException if a value or threshold is negative or not
    * finite, or if the number of values is not that of the pixels
    */
-  explicit FieldConnectivity(
-      const PixelMap<float>& field,
-      std::vector<float> thresholds = {},
-      PixelNeighbourhood neighbourhood = PixelNeighbourhood::Eight);
+  explicit FieldConnectivity(const PixelMap<float>& field,
+                             std::vector<float> thresholds = {});
 
   /** \brief The highest threshold at which two pixels are connected.
    * \param[in] i, j places in the map's values
@@ -101,7 +95,7 @@ private:
   float
   smallestGap(std::size_t first, std::size_t last) const;
   void
-  linkPixels(const PixelMap<float>& field, PixelNeighbourhood neighbourhood);
+  linkPixels(const PixelMap<float>& field);
   void
   buildRangeMinima();
 

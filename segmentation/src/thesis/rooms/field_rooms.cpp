@@ -6,11 +6,11 @@
 #include "thesis/rooms/field_rooms.h"
 
 #include "rooms/map/ceiling_slab.h"
-#include "rooms/space/visibility.h"
 #include "thesis/rooms/map_clustering.h"
 #include "thesis/rooms/map_labels.h"
 #include "thesis/rooms/map_random_walker.h"
 #include "thesis/rooms/potential_field.h"
+#include "thesis/rooms/visibility_vectors.h"
 
 #include <pcl/exceptions.h>
 
@@ -153,12 +153,8 @@ labelTheRest(const FieldRooms& rooms,
       rooms.field,
       lowest_peak,
       pixelCount(options.min_cluster_area, pixel_size, 1),
-      PixelNeighbourhood::Eight,
       options.peaks_on_slopes ? PeakPlaces::Anywhere : PeakPlaces::OffSlopes);
-  MapRandomWalkerOptions walker;
-  walker.beta = options.beta;
-  walker.threads = options.threads;
-  return mapRandomWalker(intensity, seeds, mask, walker);
+  return mapRandomWalker(intensity, seeds, mask, options.beta, options.threads);
 }
 
 } // namespace

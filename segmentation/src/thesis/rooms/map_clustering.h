@@ -5,8 +5,8 @@
 
 #pragma once
 
-#include "rooms/space/visibility.h"
 #include "thesis/rooms/field_connectivity.h"
+#include "thesis/rooms/visibility_vectors.h"
 
 #include <pcl/segmentation/dbscan.h>
 #include <pcl/segmentation/hdbscan.h>

@@ -4,6 +4,9 @@
  */
 
 #include "thesis/rooms/map_labels.h"
+
+#include "rooms/space/map_regions.h"
+
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
@@ -11,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 namespace pcl::indoor {
@@ -93,41 +97,18 @@ private:
 void
 requireMatching(const VoxelMap<std::uint8_t>& occupancy,
                 const VoxelMap<std::uint8_t>& interior,
-                const PixelMap<int>& labels,
-                const VoxelLabelOptions& options)
+                const PixelMap<int>& labels)
 {
   if (occupancy.shape != interior.shape || occupancy.shape.nx != labels.nx ||
       occupancy.shape.ny != labels.ny)
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "The occupancy, interior and map are not of one size.");
-  if (options.neighbours < 1 || options.max_distance < 1 || options.max_distance > 64)
-    PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "Bad options: " << options.neighbours << " neighbours within "
-                                        << options.max_distance << " voxels.");
-}
-
-/** Call visit(neighbour) for each pixel beside one, and with Eight also for itself. */
-template <typename Visit>
-void
-forEachNeighbour(const PixelMap<int>& map,
-                 std::size_t pixel,
-                 PixelNeighbourhood neighbourhood,
-                 const Visit& visit)
-{
-  const int x = static_cast<int>(pixel) / map.ny;
-  const int y = static_cast<int>(pixel) % map.ny;
-  for (int u = std::max(x - 1, 0); u <= std::min(x + 1, map.nx - 1); ++u)
-    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, map.ny - 1); ++v)
-      if (neighbourhood == PixelNeighbourhood::Eight || u == x || v == y)
-        visit(map.index(u, v));
 }
 
 /** The labelled pixels, and those from which the field does not fall on the way to one:
  * 1, else 0. */
 std::vector<char>
-slopesOfLabels(const PixelMap<int>& labels,
-               const PixelMap<float>& field,
-               PixelNeighbourhood neighbourhood)
+slopesOfLabels(const PixelMap<int>& labels, const PixelMap<float>& field)
 {
   std::vector<char> slope(labels.size(), 0);
   std::vector<std::size_t> reached;
@@ -136,13 +117,9 @@ slopesOfLabels(const PixelMap<int>& labels,
       slope[i] = 1;
       reached.push_back(i);
     }
-  for (std::size_t k = 0; k < reached.size(); ++k)
-    forEachNeighbour(labels, reached[k], neighbourhood, [&](std::size_t i) {
-      if (!slope[i] && field.values[i] <= field.values[reached[k]]) {
-        slope[i] = 1;
-        reached.push_back(i);
-      }
-    });
+  floodFill(reached, neighboursIn(labels), [&](std::size_t i, std::size_t from) {
+    return field.values[i] <= field.values[from] && !std::exchange(slope[i], 1);
+  });
   return slope;
 }
 
@@ -153,7 +130,6 @@ labelPeaks(const PixelMap<int>& labels,
            const PixelMap<float>& field,
            float threshold,
            std::size_t min_pixels,
-           PixelNeighbourhood neighbourhood,
            PeakPlaces places)
 {
   if (labels.nx != field.nx || labels.ny != field.ny)
@@ -165,23 +141,20 @@ labelPeaks(const PixelMap<int>& labels,
     next = std::max(next, label + 1);
   std::vector<char> seen(labels.size(), 0);
   if (places == PeakPlaces::OffSlopes)
-    seen = slopesOfLabels(labels, field, neighbourhood);
+    seen = slopesOfLabels(labels, field);
   else
     for (std::size_t i = 0; i < labels.size(); ++i)
       seen[i] = labels.values[i] != -1;
+  const auto take = [&](std::size_t i, std::size_t) {
+    return field.values[i] >= threshold && !std::exchange(seen[i], 1);
+  };
   std::vector<std::size_t> component;
   for (std::size_t seed = 0; seed < result.size(); ++seed) {
-    component.clear();
-    const auto take = [&](std::size_t i) {
-      if (seen[i] || !(field.values[i] >= threshold))
-        return;
-      seen[i] = 1;
-      component.push_back(i);
-    };
-    take(seed);
-    for (std::size_t k = 0; k < component.size(); ++k)
-      forEachNeighbour(labels, component[k], neighbourhood, take);
-    if (component.empty() || component.size() < min_pixels)
+    if (!take(seed, seed))
+      continue;
+    component.assign(1, seed);
+    floodFill(component, neighboursIn(labels), take);
+    if (component.size() < min_pixels)
       continue;
     for (const std::size_t pixel : component)
       result.values[pixel] = next;
@@ -194,16 +167,16 @@ VoxelMap<int>
 labelVoxels(const VoxelMap<std::uint8_t>& occupancy,
             const VoxelMap<std::uint8_t>& interior,
             const PixelMap<int>& labels,
-            const VoxelLabelOptions& options)
+            int threads)
 {
-  requireMatching(occupancy, interior, labels, options);
+  requireMatching(occupancy, interior, labels);
   const GridShape& shape = occupancy.shape;
   VoxelMap<int> result;
   result.shape = shape;
   result.origin = occupancy.origin;
   result.voxel_size = occupancy.voxel_size;
   result.values.assign(shape.size(), -1);
-  const std::vector<Offset> offsets = ball(options.max_distance);
+  const std::vector<Offset> offsets = ball(voter_reach);
   // Reads only what no thread writes: the interior, the occupancy and the map.
   const auto freeLabel = [&](int x, int y, int z) {
     const std::size_t i = shape.index(x, y, z);
@@ -221,14 +194,14 @@ labelVoxels(const VoxelMap<std::uint8_t>& occupancy,
       if (label < 0)
         continue;
       ballot.vote(label, o.distance);
-      if (ballot.votes() == options.neighbours)
+      if (ballot.votes() == label_voters)
         last = o.distance;
     }
     return ballot.winner();
   };
   parallelFor(
       shape.nx,
-      usefulThreads(options.threads, shape.size(), 20000),
+      usefulThreads(threads, shape.size(), 20000),
       4,
       [] { return Ballot(); },
       [&](Ballot& ballot, std::ptrdiff_t column) {

@@ -5,8 +5,6 @@
 
 #pragma once
 
-#include "thesis/rooms/field_connectivity.h"
-
 #include <pcl/indoor/voxel_map.h>
 
 #include <cstddef>
@@ -24,7 +22,7 @@ enum class PeakPlaces {
  *
  * With PeakPlaces::OffSlopes, a pixel from which the field does not fall on the way to
  * a labelled one is no peak, and stays unlabelled. Of the others, each connected
- * component that reaches the threshold gets a label. Linear time.
+ * component (8 neighbours) that reaches the threshold gets a label. Linear time.
  * \param[in] labels 0 or more, -1 = none
  * \param[in] field the map that was clustered
  * \param[in] threshold the smallest of the histogram's peaks; pixels below it stay
@@ -38,16 +36,15 @@ labelPeaks(const PixelMap<int>& labels,
            const PixelMap<float>& field,
            float threshold,
            std::size_t min_pixels = 1,
-           PixelNeighbourhood neighbourhood = PixelNeighbourhood::Eight,
            PeakPlaces places = PeakPlaces::OffSlopes);
 
-/** \brief How labels go from free to occupied voxels. */
-struct VoxelLabelOptions {
-  std::size_t neighbours = 10; ///< labelled free voxels that vote (at least 1)
-  int max_distance = 15; ///< in voxels (1 to 64): farther ones do not vote; an occupied
-                         ///< voxel with none in reach gets no label
-  int threads = 0;       ///< 0 = automatic; the result does not depend on it
-};
+/** \brief How many labelled free voxels vote for the label of an occupied one, as the
+ * thesis has it. */
+constexpr std::size_t label_voters = 10;
+
+/** \brief How far from it they may be, voxels of 0.2 m: farther than walls are thick.
+ * An occupied voxel with none in reach gets no label. */
+constexpr int voter_reach = 15;
 
 /** \brief Propagates the labels of a map to the voxels (Sec. 3.2.3, "Occupied voxels").
  *
@@ -55,18 +52,19 @@ struct VoxelLabelOptions {
  * label among its nearest labelled free voxels; all those as far as the last of them
  * vote too, so that no order of voxels matters. Equal votes go to the label with the
  * smaller sum of squared distances, then to the smaller label. Time linear in the
- * voxels where labelled voxels are near, at most O(max_distance^3) for each occupied
+ * voxels where labelled voxels are near, at most O(voter_reach^3) for each occupied
  * voxel.
  * \param[in] occupancy non-zero = occupied
  * \param[in] interior non-zero = interior free space
  * \param[in] labels of the columns, -1 = none
+ * \param[in] threads 0 = automatic; the result does not depend on it
  * \return -1 for voxels that are neither interior nor occupied, or out of reach
- * \throws pcl::BadArgumentException if the sizes differ or an option is out of range
+ * \throws pcl::BadArgumentException if the sizes differ
  */
 VoxelMap<int>
 labelVoxels(const VoxelMap<std::uint8_t>& occupancy,
             const VoxelMap<std::uint8_t>& interior,
             const PixelMap<int>& labels,
-            const VoxelLabelOptions& options);
+            int threads = 0);
 
 } // namespace pcl::indoor

@@ -4,6 +4,9 @@
  */
 
 #include "thesis/rooms/map_random_walker.h"
+
+#include "rooms/space/map_regions.h"
+
 #include <pcl/indoor/parallel_for.h>
 #include <pcl/indoor/threads.h>
 
@@ -13,7 +16,6 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -34,11 +36,13 @@ public:
   Walker(const PixelMap<float>& values,
          const PixelMap<int>& labels,
          const PixelMap<std::uint8_t>& mask,
-         const MapRandomWalkerOptions& options)
+         double beta,
+         int threads)
   : values_(values)
   , labels_(labels)
   , mask_(mask)
-  , options_(options)
+  , beta_(beta)
+  , threads_(threads)
   {}
 
   PixelMap<int>
@@ -63,16 +67,10 @@ private:
   void
   forEachNeighbour(std::size_t pixel, const Visit& visit) const
   {
-    const int x = static_cast<int>(pixel / static_cast<std::size_t>(values_.ny));
-    const int y = static_cast<int>(pixel % static_cast<std::size_t>(values_.ny));
-    static constexpr std::array<std::array<int, 2>, 8> kSteps{
-        {{-1, 0}, {0, -1}, {0, 1}, {1, 0}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}}};
-    const auto count = static_cast<std::size_t>(options_.neighbourhood);
-    for (std::size_t k = 0; k < count; ++k) {
-      const int u = x + kSteps[k][0], v = y + kSteps[k][1];
-      if (values_.contains(u, v) && mask_.at(u, v))
-        visit(values_.index(u, v));
-    }
+    indoor::forEachNeighbour(mask_, pixel, Neighbours::Four, [&](std::size_t other) {
+      if (mask_.values[other])
+        visit(other);
+    });
   }
 
   /** Connected unlabelled pixels; also numbers the pixels within each region. */
@@ -109,7 +107,7 @@ private:
   weight(std::size_t i, std::size_t j) const // Eq. (2.11)
   {
     const double step = static_cast<double>(values_.values[i]) - values_.values[j];
-    return std::max(std::exp(-options_.beta * step * step), smallest_weight);
+    return std::max(std::exp(-beta_ * step * step), smallest_weight);
   }
 
   /** Minimises Eq. (2.12) for each label of a region, given the seeds around it. */
@@ -162,7 +160,7 @@ private:
       for (const auto& entry : towards_seeds)
         if (entry.col() >= first && entry.col() < first + count)
           probability(entry.row(), entry.col() - first) += entry.value();
-      const int threads = usefulThreads(options_.threads, region.pixels.size(), 5000);
+      const int threads = usefulThreads(threads_, region.pixels.size(), 5000);
       parallelFor(count, threads, 1, [&](Eigen::Index l) {
         const Eigen::VectorXd side = probability.col(l);
         probability.col(l) = solver.solve(side);
@@ -180,7 +178,8 @@ private:
   const PixelMap<float>& values_;
   const PixelMap<int>& labels_;
   const PixelMap<std::uint8_t>& mask_;
-  const MapRandomWalkerOptions& options_;
+  double beta_;
+  int threads_;
   std::vector<int> place_; // of each unlabelled pixel in its region
 };
 
@@ -190,7 +189,8 @@ PixelMap<int>
 mapRandomWalker(const PixelMap<float>& values,
                 const PixelMap<int>& labels,
                 const PixelMap<std::uint8_t>& mask,
-                const MapRandomWalkerOptions& options)
+                double beta,
+                int threads)
 {
   const auto matches = [&](const auto& map) {
     return map.nx == values.nx && map.ny == values.ny &&
@@ -199,14 +199,14 @@ mapRandomWalker(const PixelMap<float>& values,
   if (!matches(values) || !matches(labels) || !matches(mask))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                         "The values, labels and mask are not of one size.");
-  if (!(options.beta >= 0.0))
+  if (!(beta >= 0.0))
     PCL_THROW_EXCEPTION(pcl::BadArgumentException,
-                        "Beta must not be negative, but is " << options.beta << ".");
+                        "Beta must not be negative, but is " << beta << ".");
   for (std::size_t i = 0; i < values.size(); ++i)
     if (mask.values[i] && !std::isfinite(values.values[i]))
       PCL_THROW_EXCEPTION(pcl::BadArgumentException,
                           "A value in the mask is not finite.");
-  return Walker(values, labels, mask, options).run();
+  return Walker(values, labels, mask, beta, threads).run();
 }
 
 } // namespace pcl::indoor

@@ -5,6 +5,7 @@
 
 #include "thesis/rooms/map_blocks.h"
 
+#include "rooms/space/map_regions.h"
 #include "thesis/rooms/map_clustering.h"
 
 #include <pcl/indoor/disjoint_sets.h>
@@ -45,11 +46,10 @@ public:
   , block_core_(blocks_.count(), infinity)
   {
     orderByField();
-    place_.assign(static_cast<std::size_t>(distance.mapWidth()) *
-                      static_cast<std::size_t>(distance.mapHeight()),
-                  kNobody);
+    place_ = PixelMap<std::uint32_t>::filled(
+        distance.mapWidth(), distance.mapHeight(), kNobody);
     for (std::size_t i = 0; i < core.size(); ++i) {
-      place_[distance.pixels()[i]] = static_cast<std::uint32_t>(i);
+      place_.values[distance.pixels()[i]] = static_cast<std::uint32_t>(i);
       double& smallest = block_core_[blocks_.blockOf(i)];
       smallest = std::min(smallest, core[i]);
     }
@@ -112,18 +112,11 @@ private:
   void
   forEachNeighbour(std::size_t i, const Visit& visit) const
   {
-    const int x = distance_.x(i), y = distance_.y(i);
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, distance_.mapWidth() - 1);
-         ++u)
-      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, distance_.mapHeight() - 1);
-           ++v) {
-        const std::uint32_t j =
-            place_[static_cast<std::size_t>(u) *
-                       static_cast<std::size_t>(distance_.mapHeight()) +
-                   static_cast<std::size_t>(v)];
-        if (j != kNobody && j != i)
-          visit(static_cast<std::size_t>(j));
-      }
+    const std::size_t pixel = distance_.pixels()[i];
+    indoor::forEachNeighbour(place_, pixel, Neighbours::Eight, [&](std::size_t other) {
+      if (const std::uint32_t j = place_.values[other]; j != kNobody)
+        visit(static_cast<std::size_t>(j));
+    });
   }
 
   void
@@ -291,8 +284,8 @@ private:
   MapBlocks blocks_;
   DisjointSets sets_;
   std::vector<HDBSCANEdge> tree_;
-  std::vector<std::uint32_t> place_; // the point of each pixel of the map
-  std::vector<std::uint32_t> row_;   // the points as the field connects them
+  PixelMap<std::uint32_t> place_;  // the point of each pixel of the map
+  std::vector<std::uint32_t> row_; // the points as the field connects them
   std::vector<float> row_levels_;
   std::vector<std::uint32_t> component_;  // of each point in this round
   std::vector<double> least_;             // no edge outwards is shorter, for ever

@@ -5,7 +5,9 @@
 #include <pcl/segmentation/thesis.h>
 
 #include "internal/option_check.h"
+#include "rooms/map/region_evidence.h" // for relabel
 #include "rooms/room_way.h"
+#include "rooms/space/nearest_sites.h"
 #include "thesis/rooms/field_rooms.h"
 #include "thesis/rooms/map_labels.h"
 
@@ -45,10 +47,8 @@ votedVoxels(const StoreySpace& space, const RoomMap& map, int threads)
           map.free_labels.at(std::min(x * factor, map.free_labels.nx - 1),
                              std::min(y * factor, map.free_labels.ny - 1)) -
           1;
-  VoxelLabelOptions options;
-  options.threads = threads;
   return labelVoxels(
-      space.interior.occupancy.bytes(), space.interior.inside.bytes(), labels, options);
+      space.interior.occupancy.bytes(), space.interior.inside.bytes(), labels, threads);
 }
 
 /** Label the points of one storey by the voxels they lie in. */
@@ -75,6 +75,24 @@ labelByVote(int threads,
   }
 }
 
+/** Carry the labels of free pixels into the walls, and number the regions 1 ... n by
+ * their first pixels.
+ * \param[in] reach pixels */
+void
+numberRegions(double reach, RoomMap& map)
+{
+  map.labels = map.free_labels;
+  growLabels(map.labels, reach);
+  const auto& labels = map.labels.values;
+  std::vector<std::int32_t> number(*std::max_element(labels.begin(), labels.end()) + 1,
+                                   0);
+  std::int32_t count = 0;
+  for (const std::int32_t label : labels)
+    if (label != 0 && number[label] == 0)
+      number[label] = ++count;
+  relabel(number, map);
+}
+
 /** The rooms of a storey, on the map of its walls. */
 RoomMap
 fieldRoomMap(const StoreySpace& space, const RoomOptions& options)
@@ -86,7 +104,7 @@ fieldRoomMap(const StoreySpace& space, const RoomOptions& options)
   map.potential = rooms.field;
   map.potential_factor = space.interior.factor;
   map.free_labels = fieldRoomsOnMap(rooms, space.interior.factor, map.field);
-  numberRegions(space.occupancy.voxel_size, shared.map.reach, map);
+  numberRegions(shared.map.reach / space.occupancy.voxel_size, map);
   return map;
 }
 

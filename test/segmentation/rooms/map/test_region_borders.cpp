@@ -56,13 +56,13 @@ struct TwoSpaces {
   std::vector<RegionOpening>
   openings() const
   {
-    return regionOpenings(occupancy, {0, 30}, ceiling, labels, free_labels);
+    return regionOpenings({occupancy, {0, 30}, ceiling, labels, free_labels});
   }
 
   std::vector<RegionBorder>
   borders() const
   {
-    return regionBorders(occupancy, {0, 30}, ceiling, labels, free_labels);
+    return regionBorders({occupancy, {0, 30}, ceiling, labels, free_labels});
   }
 };
 
@@ -256,7 +256,9 @@ TEST(RegionBorders, PairsInOrderAndNoneWithoutRegions)
   spaces.labels.values.assign(spaces.labels.size(), 0);
   spaces.free_labels = spaces.labels;
   EXPECT_TRUE(spaces.borders().empty());
-  EXPECT_TRUE(regionBorders({}, {}, {}, {}, {}).empty());
+  const VoxelBits no_voxels;
+  const PixelMap<int> nothing;
+  EXPECT_TRUE(regionBorders({no_voxels, {}, nothing, nothing, nothing}).empty());
 }
 
 TEST(MergeOpenRegions, AtTheThreshold)

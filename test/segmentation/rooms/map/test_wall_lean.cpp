@@ -24,7 +24,6 @@ const SlabLayers slab{2, 4};
 /** A floor, a ceiling and the two faces of a wall that leans, as voxels. */
 struct Section {
   VoxelMap<std::uint8_t> occupancy;
-  VerticalRange range{0, top + 1};
   PixelMap<int> ceiling;
   PixelMap<std::uint8_t> blocked;
   Eigen::Vector2d normal;
@@ -66,7 +65,12 @@ struct Section {
   std::vector<WallStretch>
   stretches(int threads = 0) const
   {
-    return wallStretches(occupancy, range, ceiling, slab, blocked, threads);
+    RoomMap storey;
+    storey.range = {0, top + 1};
+    storey.ceiling = ceiling;
+    storey.slab = slab;
+    storey.blocked = blocked;
+    return wallStretches(occupancy, storey, threads);
   }
 
   PixelMap<Eigen::Vector2f>

@@ -22,8 +22,6 @@ namespace {
 using Points = std::vector<Eigen::Vector3f>;
 using Block = std::array<int, 3>;
 
-constexpr BlockExtentOptions options{1.0, 20.0, 0.0, 1};
-
 /** A point in the middle of a block. */
 void
 addBlock(int x, int y, int z, Points& points)
@@ -88,7 +86,7 @@ boxOf(std::vector<Part> parts)
       const Eigen::Array3d low = box.low.min(parts[p].low),
                            high = box.high.max(parts[p].high);
       if (is_taken[p] || (high - low).prod() - (box.high - box.low).prod() >
-                             options.max_growth * parts[p].blocks)
+                             most_growth * parts[p].blocks)
         continue;
       box.low = low;
       box.high = high;
@@ -102,7 +100,7 @@ void
 expectBox(const Points& points)
 {
   const auto expected = boxOf(partsOf(points));
-  const auto box = blockExtent(points, options);
+  const auto box = blockExtent(points, 1);
   EXPECT_EQ(box.low, Eigen::Vector3d(expected.low.matrix().array() - 0.5));
   EXPECT_EQ(box.high, Eigen::Vector3d(expected.high.matrix().array() + 0.5));
 }
@@ -115,9 +113,10 @@ TEST(BlockExtent, TakesPartsThatAreWorthTheirSpace)
     std::mt19937 rng(seed);
     Points points;
     const int size = 3 + static_cast<int>(rng() % 12);
+    const int apart = 1 + static_cast<int>(seed % 25); // along x
     const auto random = [&] { return static_cast<int>(rng() % size); };
     for (unsigned i = 0; i < 4 + seed / 4; ++i)
-      addBlock(random(), random(), random(), points);
+      addBlock(apart * random(), random(), random(), points);
     SCOPED_TRACE(seed);
     expectBox(points);
   }
@@ -127,11 +126,11 @@ TEST(BlockExtent, ALineOfBlocksIsTakenOneByOne)
 {
   Points points;
   for (int i = 0; i < 60; ++i) // the next one comes last
-    addBlock(2 * i, 0, 0, points);
+    addBlock(300 * i, 0, 0, points);
   for (int i = 0; i < 3; ++i)
-    addBlock(120 + i, 0, 0, points);
+    addBlock(300 * 60 + i, 0, 0, points);
   expectBox(points);
-  EXPECT_EQ(blockExtent(points, options).low.x(), -0.5);
+  EXPECT_EQ(blockExtent(points, 1).low.x(), -0.5);
 }
 
 TEST(BlockExtent, OfAHundredThousandLonelyBlocksTakesNoTime)
@@ -145,7 +144,7 @@ TEST(BlockExtent, OfAHundredThousandLonelyBlocksTakesNoTime)
       for (int z = 2; z <= 80; z += 2)
         addBlock(x, y, z, points);
   ASSERT_GT(points.size(), 100000u);
-  const auto box = blockExtent(points, options);
+  const auto box = blockExtent(points, 1);
   EXPECT_EQ(box.low, Eigen::Vector3d(-0.5, -0.5, -0.5));
   EXPECT_EQ(box.high, Eigen::Vector3d(101.5, 101.5, 101.5));
 }

@@ -4,6 +4,7 @@
  */
 
 #include "rooms/space/distance_map.h"
+#include "rooms/space/greatest_around.h"
 
 #include <gtest/gtest.h>
 
@@ -39,6 +40,29 @@ TEST(SquaredDistanceMap, EqualsBruteForce)
               best = std::min(best, static_cast<std::uint32_t>(d));
             }
         ASSERT_EQ(distances.at(x, y), best) << "trial " << trial;
+      }
+  }
+}
+
+TEST(GreatestAround, EqualsBruteForce)
+{
+  std::mt19937 rng(9);
+  for (int trial = 0; trial < 100; ++trial) {
+    const int nx = 1 + static_cast<int>(rng() % 12),
+              ny = 1 + static_cast<int>(rng() % 12);
+    const int radius = static_cast<int>(rng() % 15);
+    auto map = pcl::indoor::PixelMap<int>::filled(nx, ny, 0);
+    for (int& value : map.values)
+      value = static_cast<int>(rng() % 100) - 70; // most are negative
+    const auto greatest = pcl::indoor::greatestAround(map, radius);
+    for (int x = 0; x < nx; ++x)
+      for (int y = 0; y < ny; ++y) {
+        int expected = map.at(x, y);
+        for (int u = 0; u < nx; ++u)
+          for (int v = 0; v < ny; ++v)
+            if (std::abs(u - x) <= radius && std::abs(v - y) <= radius)
+              expected = std::max(expected, map.at(u, v));
+        ASSERT_EQ(greatest.at(x, y), expected) << "radius " << radius;
       }
   }
 }

@@ -227,8 +227,9 @@ TEST(Enclosure, RefusesBadArguments)
   EXPECT_THROW(enclosure(grid, std::vector<Eigen::Vector3d>(6, {1, 0, 0})),
                pcl::BadArgumentException);
   EXPECT_THROW(enclosure(grid, {{1, 0, 0}}, -1), pcl::BadArgumentException);
-  EXPECT_THROW(interiorGain(grid, grid, 2, {}, 0.0), pcl::BadArgumentException);
-  EXPECT_THROW(interiorGain(grid, grid, 2, {}, 1e-6), pcl::BadArgumentException);
+  EnclosureWeights heavy;
+  heavy.below = 1000.0;
+  EXPECT_THROW(interiorGain(grid, grid, 2, heavy), pcl::BadArgumentException);
 }
 
 TEST(Enclosure, AlongDirectionsInSpaceAgreesWithWalking)

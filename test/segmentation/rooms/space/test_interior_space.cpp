@@ -34,7 +34,6 @@ build(double yaw, int threads = 1)
   built.points = turned(rooms(wings, {}).points, yaw);
   OccupancyGridOptions options;
   options.voxel_size = 0.1;
-  options.margin = 5;
   built.building = occupancyGrid(built.points, options);
   built.space = interiorSpace(built.building,
                               wallDirections(built.points, built.building, {}, threads),

@@ -60,7 +60,6 @@ TEST(OccupancyGrid, MarksExactlyTheVoxelsWithPoints)
     OccupancyGridOptions options;
     options.voxel_size = 0.15 + 0.05 * (trial % 5);
     options.yaw = 0.3 * trial;
-    options.margin = trial % 3;
     const OccupancyGrid result = occupancyGrid(points, options);
     std::set<std::size_t> expected;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -87,25 +86,21 @@ TEST(OccupancyGrid, LeavesAFreeMarginAndNoMore)
   std::mt19937 rng(2);
   Points points;
   addCloud({0, 0, 0}, {3, 4, 2}, 20000, rng, points);
-  for (int margin = 0; margin < 4; ++margin) {
-    OccupancyGridOptions options;
-    options.margin = margin;
-    const OccupancyGrid result = occupancyGrid(points, options);
-    const GridShape shape = result.grid.shape;
-    Eigen::Vector3i low(shape.nx, shape.ny, shape.nz);
-    Eigen::Vector3i high(0, 0, 0);
-    for (int x = 0; x < shape.nx; ++x)
-      for (int y = 0; y < shape.ny; ++y)
-        for (int z = 0; z < shape.nz; ++z)
-          if (result.grid.at(x, y, z)) {
-            low = low.cwiseMin(Eigen::Vector3i(x, y, z));
-            high = high.cwiseMax(Eigen::Vector3i(x, y, z));
-          }
-    EXPECT_EQ(low, Eigen::Vector3i::Constant(margin));
-    EXPECT_EQ(high,
-              Eigen::Vector3i(shape.nx, shape.ny, shape.nz) -
-                  Eigen::Vector3i::Constant(margin + 1));
-  }
+  const OccupancyGrid result = occupancyGrid(points);
+  const GridShape shape = result.grid.shape;
+  Eigen::Vector3i low(shape.nx, shape.ny, shape.nz);
+  Eigen::Vector3i high(0, 0, 0);
+  for (int x = 0; x < shape.nx; ++x)
+    for (int y = 0; y < shape.ny; ++y)
+      for (int z = 0; z < shape.nz; ++z)
+        if (result.grid.at(x, y, z)) {
+          low = low.cwiseMin(Eigen::Vector3i(x, y, z));
+          high = high.cwiseMax(Eigen::Vector3i(x, y, z));
+        }
+  EXPECT_EQ(low, Eigen::Vector3i::Constant(1));
+  EXPECT_EQ(high,
+            Eigen::Vector3i(shape.nx, shape.ny, shape.nz) -
+                Eigen::Vector3i::Constant(2));
 }
 
 TEST(OccupancyGrid, OutliersFarAwayDoNotEnlargeTheGrid)
@@ -191,9 +186,5 @@ TEST(OccupancyGrid, RefusesOptionsOutOfRange)
   refused(&OccupancyGridOptions::voxel_size, nan);
   refused(&OccupancyGridOptions::voxel_size, 1e-4); // 8e12 voxels
   refused(&OccupancyGridOptions::yaw, nan);
-  refused(&OccupancyGridOptions::margin, -1);
-  refused(&OccupancyGridOptions::block_size, -1.0);
-  refused(&OccupancyGridOptions::max_growth, nan);
-  refused(&OccupancyGridOptions::min_density, 1.5);
   refused(&OccupancyGridOptions::threads, -1);
 }

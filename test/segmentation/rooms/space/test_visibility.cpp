@@ -4,6 +4,7 @@
  */
 
 #include "rooms/space/visibility.h"
+#include "thesis/rooms/visibility_vectors.h"
 
 #include <pcl/exceptions.h>
 
@@ -74,6 +75,15 @@ seesBruteForce(const VoxelMap<std::uint8_t>& grid, const Vector3i& a, const Vect
   return true;
 }
 
+/** s_l(i) of Eq. (3.5). */
+bool
+seesLandmark(const pcl::indoor::VisibilityVectors& vectors,
+             std::size_t i,
+             std::size_t landmark)
+{
+  return (vectors.bits[i * vectors.words + landmark / 64] >> (landmark % 64)) & 1u;
+}
+
 } // namespace
 
 TEST(LineOfSight, EqualsBruteForceAndIsSymmetric)
@@ -112,7 +122,7 @@ TEST(VisibilityVectors, HoldTheLinesOfSight)
     std::uint32_t visible = 0;
     for (std::size_t l = 0; l < landmarks.size(); ++l) {
       const bool sees = pcl::indoor::lineOfSight(grid, voxels[i], landmarks[l]);
-      ASSERT_EQ(vectors.sees(i, l), sees);
+      ASSERT_EQ(seesLandmark(vectors, i, l), sees);
       visible += sees;
     }
     EXPECT_EQ(vectors.visible[i], visible);
@@ -135,8 +145,8 @@ TEST(VisibilityDistance, CountsPositionsThatDiffer)
     for (std::size_t j = 0; j < voxels.size(); ++j) {
       double differing = 0.0, sum = 0.0;
       for (std::size_t l = 0; l < voxels.size(); ++l) {
-        differing += vectors.sees(i, l) != vectors.sees(j, l);
-        sum += vectors.sees(i, l) + vectors.sees(j, l);
+        differing += seesLandmark(vectors, i, l) != seesLandmark(vectors, j, l);
+        sum += seesLandmark(vectors, i, l) + seesLandmark(vectors, j, l);
       }
       ASSERT_EQ(pcl::indoor::visibilityDistance(vectors, i, j), differing / sum);
     }

@@ -14,7 +14,6 @@
 
 using pcl::indoor::FieldConnectivity;
 using pcl::indoor::PixelMap;
-using pcl::indoor::PixelNeighbourhood;
 
 namespace {
 
@@ -30,7 +29,7 @@ randomMap(int nx, int ny, unsigned values, std::mt19937& rng)
 
 /** Components of the pixels that reach a threshold, by flooding; -1 below it. */
 std::vector<int>
-componentsAt(const PixelMap<float>& map, float threshold, PixelNeighbourhood kind)
+componentsAt(const PixelMap<float>& map, float threshold)
 {
   std::vector<int> label(map.size(), -1);
   for (std::size_t seed = 0; seed < map.size(); ++seed) {
@@ -44,8 +43,6 @@ componentsAt(const PixelMap<float>& map, float threshold, PixelNeighbourhood kin
       stack.pop_back();
       for (int dx = -1; dx <= 1; ++dx)
         for (int dy = -1; dy <= 1; ++dy) {
-          if (kind == PixelNeighbourhood::Four && dx != 0 && dy != 0)
-            continue;
           if (!map.contains(x + dx, y + dy))
             continue;
           const std::size_t other = map.index(x + dx, y + dy);
@@ -61,9 +58,7 @@ componentsAt(const PixelMap<float>& map, float threshold, PixelNeighbourhood kin
 
 /** Eq. (3.3) as the text means it: threshold after threshold, from the highest. */
 std::vector<float>
-distancesByThresholding(const PixelMap<float>& map,
-                        std::vector<float> thresholds,
-                        PixelNeighbourhood kind)
+distancesByThresholding(const PixelMap<float>& map, std::vector<float> thresholds)
 {
   const float a = *std::max_element(map.values.begin(), map.values.end());
   if (thresholds.empty())
@@ -74,7 +69,7 @@ distancesByThresholding(const PixelMap<float>& map,
   for (const float threshold : thresholds) {
     if (threshold <= 0.0f)
       continue;
-    const auto label = componentsAt(map, threshold, kind);
+    const auto label = componentsAt(map, threshold);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
         if (label[i] >= 0 && label[i] == label[j])
@@ -87,11 +82,10 @@ distancesByThresholding(const PixelMap<float>& map,
 
 void
 expectEqualsThresholding(const PixelMap<float>& map,
-                         const std::vector<float>& thresholds,
-                         PixelNeighbourhood kind)
+                         const std::vector<float>& thresholds)
 {
-  const FieldConnectivity connectivity(map, thresholds, kind);
-  const auto expected = distancesByThresholding(map, thresholds, kind);
+  const FieldConnectivity connectivity(map, thresholds);
+  const auto expected = distancesByThresholding(map, thresholds);
   for (std::size_t i = 0; i < map.size(); ++i)
     for (std::size_t j = 0; j < map.size(); ++j)
       ASSERT_EQ(connectivity.distance(i, j), expected[i * map.size() + j])
@@ -106,8 +100,7 @@ TEST(FieldConnectivity, EqualsThresholdingAtEveryValue)
   for (int trial = 0; trial < 40; ++trial) {
     const int nx = 1 + rng() % 12, ny = 1 + rng() % 12;
     const auto map = randomMap(nx, ny, 2 + rng() % 30, rng);
-    expectEqualsThresholding(map, {}, PixelNeighbourhood::Eight);
-    expectEqualsThresholding(map, {}, PixelNeighbourhood::Four);
+    expectEqualsThresholding(map, {});
   }
 }
 
@@ -119,19 +112,18 @@ TEST(FieldConnectivity, EqualsThresholdingAtGivenThresholds)
     std::vector<float> thresholds;
     for (unsigned k = rng() % 5 + 1; k > 0; --k)
       thresholds.push_back(static_cast<float>(rng() % 25));
-    expectEqualsThresholding(map, thresholds, PixelNeighbourhood::Eight);
-    expectEqualsThresholding(map, thresholds, PixelNeighbourhood::Four);
+    expectEqualsThresholding(map, thresholds);
   }
 }
 
 TEST(FieldConnectivity, QueriesOverManyBlocksEqualThresholding)
 {
   std::mt19937 rng(3);
-  expectEqualsThresholding(randomMap(1, 700, 9, rng), {}, PixelNeighbourhood::Eight);
+  expectEqualsThresholding(randomMap(1, 700, 9, rng), {});
   auto ramp = randomMap(1, 600, 2, rng);
   for (std::size_t i = 0; i < ramp.size(); ++i)
     ramp.values[i] = static_cast<float>(i + 1);
-  expectEqualsThresholding(ramp, {}, PixelNeighbourhood::Four);
+  expectEqualsThresholding(ramp, {});
 }
 
 TEST(FieldConnectivity, IsAnUltrametric)

@@ -14,9 +14,9 @@
 #include <map>
 #include <random>
 
+using pcl::indoor::label_voters;
 using pcl::indoor::PixelMap;
-using pcl::indoor::PixelNeighbourhood;
-using pcl::indoor::VoxelLabelOptions;
+using pcl::indoor::voter_reach;
 using pcl::indoor::VoxelMap;
 
 namespace {
@@ -44,8 +44,7 @@ randomScene(int nx, int ny, int nz, std::mt19937& rng)
 }
 
 int
-majorityBruteForce(
-    const Scene& s, int x, int y, int z, const VoxelLabelOptions& options)
+majorityBruteForce(const Scene& s, int x, int y, int z)
 {
   std::vector<std::pair<int, int>> candidates; // squared distance, label
   const auto& shape = s.occupancy.shape;
@@ -54,14 +53,13 @@ majorityBruteForce(
       for (int w = 0; w < shape.nz; ++w) {
         const int d = (u - x) * (u - x) + (v - y) * (v - y) + (w - z) * (w - z);
         if (s.interior.at(u, v, w) && !s.occupancy.at(u, v, w) &&
-            s.labels.at(u, v) >= 0 && d <= options.max_distance * options.max_distance)
+            s.labels.at(u, v) >= 0 && d <= voter_reach * voter_reach)
           candidates.emplace_back(d, s.labels.at(u, v));
       }
   std::sort(candidates.begin(), candidates.end());
   std::map<int, std::array<int, 2>> tally; // label: votes, sum of distances
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    if (k >= options.neighbours &&
-        candidates[k].first > candidates[options.neighbours - 1].first)
+    if (k >= label_voters && candidates[k].first > candidates[label_voters - 1].first)
       break;
     ++tally[candidates[k].second][0];
     tally[candidates[k].second][1] += candidates[k].first;
@@ -80,28 +78,27 @@ TEST(LabelVoxels, EqualsBruteForce)
 {
   std::mt19937 rng(1);
   for (int trial = 0; trial < 60; ++trial) {
-    const auto scene = randomScene(1 + rng() % 9, 1 + rng() % 9, 1 + rng() % 5, rng);
-    VoxelLabelOptions options;
-    if (trial % 2) {
-      options.neighbours = 1 + rng() % 12;
-      options.max_distance = 1 + static_cast<int>(rng() % 6);
-    }
-    const auto result = pcl::indoor::labelVoxels(
-        scene.occupancy, scene.interior, scene.labels, options);
+    auto scene = trial % 2 == 0
+                     ? randomScene(1 + rng() % 9, 1 + rng() % 9, 1 + rng() % 5, rng)
+                     : randomScene(40, 1 + rng() % 3, 1 + rng() % 2, rng);
+    if (trial % 2 == 1) // many voxels are far from all labels
+      for (std::size_t i = 0; i < scene.labels.size(); ++i)
+        if (i >= scene.labels.size() / 8)
+          scene.labels.values[i] = -1;
+    const auto result =
+        pcl::indoor::labelVoxels(scene.occupancy, scene.interior, scene.labels);
     const auto& shape = result.shape;
     for (int x = 0; x < shape.nx; ++x)
       for (int y = 0; y < shape.ny; ++y)
         for (int z = 0; z < shape.nz; ++z) {
           int expected = scene.interior.at(x, y, z) ? scene.labels.at(x, y) : -1;
           if (scene.occupancy.at(x, y, z))
-            expected = majorityBruteForce(scene, x, y, z, options);
+            expected = majorityBruteForce(scene, x, y, z);
           ASSERT_EQ(result.at(x, y, z), expected) << "trial " << trial;
         }
-    options.threads = 7;
-    EXPECT_EQ(
-        pcl::indoor::labelVoxels(scene.occupancy, scene.interior, scene.labels, options)
-            .values,
-        result.values);
+    EXPECT_EQ(pcl::indoor::labelVoxels(scene.occupancy, scene.interior, scene.labels, 7)
+                  .values,
+              result.values);
   }
 }
 
@@ -109,19 +106,10 @@ TEST(LabelVoxels, RejectsBadInput)
 {
   std::mt19937 rng(2);
   auto scene = randomScene(3, 4, 2, rng);
-  const auto label = [&](const VoxelLabelOptions& options) {
-    return pcl::indoor::labelVoxels(
-        scene.occupancy, scene.interior, scene.labels, options);
-  };
-  VoxelLabelOptions bad;
-  bad.neighbours = 0;
-  EXPECT_THROW(label(bad), pcl::BadArgumentException);
-  bad = {};
-  bad.max_distance = 0;
-  EXPECT_THROW(label(bad), pcl::BadArgumentException);
   scene.labels = {4, 3, std::vector<int>(12)};
-  EXPECT_THROW(label({}), pcl::BadArgumentException);
-  EXPECT_TRUE(pcl::indoor::labelVoxels({}, {}, {}, {}).values.empty());
+  EXPECT_THROW(pcl::indoor::labelVoxels(scene.occupancy, scene.interior, scene.labels),
+               pcl::BadArgumentException);
+  EXPECT_TRUE(pcl::indoor::labelVoxels({}, {}, {}).values.empty());
 }
 
 TEST(LabelPeaks, NumbersWhatWasLeftOut)
@@ -154,16 +142,15 @@ TEST(LabelPeaks, NumbersWhatWasLeftOut)
                               -1,
                               -1,
                               -1}};
-  const auto label = [&](float threshold, std::size_t size, PixelNeighbourhood kind) {
-    return pcl::indoor::labelPeaks(labels, field, threshold, size, kind).values;
+  const auto label = [&](float threshold, std::size_t size) {
+    return pcl::indoor::labelPeaks(labels, field, threshold, size).values;
   };
-  EXPECT_EQ(label(5.0f, 1, PixelNeighbourhood::Eight),
+  EXPECT_EQ(label(5.0f, 1),
             (std::vector<int>{1, 1, -1, 0, 1, -1, -1, -1, -1, 1, -1, -1}));
-  EXPECT_EQ(label(5.0f, 1, PixelNeighbourhood::Four),
-            (std::vector<int>{1, 1, -1, 0, 1, -1, -1, -1, -1, 2, -1, -1}));
-  EXPECT_EQ(label(5.0f, 2, PixelNeighbourhood::Four),
-            (std::vector<int>{1, 1, -1, 0, 1, -1, -1, -1, -1, -1, -1, -1}));
-  EXPECT_EQ(label(8.0f, 1, PixelNeighbourhood::Eight), labels.values);
+  EXPECT_EQ(label(5.0f, 4),
+            (std::vector<int>{1, 1, -1, 0, 1, -1, -1, -1, -1, 1, -1, -1}));
+  EXPECT_EQ(label(5.0f, 5), labels.values);
+  EXPECT_EQ(label(8.0f, 1), labels.values);
   EXPECT_THROW(pcl::indoor::labelPeaks(labels, {}, 1.0f), pcl::BadArgumentException);
   EXPECT_TRUE(pcl::indoor::labelPeaks({}, {}, 1.0f).values.empty());
 }

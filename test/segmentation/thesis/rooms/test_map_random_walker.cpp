@@ -18,9 +18,7 @@
 #include <random>
 #include <set>
 
-using pcl::indoor::MapRandomWalkerOptions;
 using pcl::indoor::PixelMap;
-using pcl::indoor::PixelNeighbourhood;
 
 namespace {
 
@@ -48,13 +46,12 @@ randomProblem(unsigned labels,
 }
 
 bool
-areNeighbours(const Problem& p, std::size_t i, std::size_t j, PixelNeighbourhood kind)
+areNeighbours(const Problem& p, std::size_t i, std::size_t j)
 {
   const int ny = p.values.ny;
   const int dx = std::abs(static_cast<int>(i) / ny - static_cast<int>(j) / ny);
   const int dy = std::abs(static_cast<int>(i) % ny - static_cast<int>(j) % ny);
-  return i != j && p.mask.values[i] && p.mask.values[j] &&
-         (kind == PixelNeighbourhood::Eight ? std::max(dx, dy) == 1 : dx + dy == 1);
+  return i != j && p.mask.values[i] && p.mask.values[j] && dx + dy == 1;
 }
 
 double
@@ -66,9 +63,7 @@ weight(const Problem& p, std::size_t i, std::size_t j, double beta)
 
 /** The probabilities of one label at all pixels, from one dense system. */
 std::vector<double>
-probabilityBruteForce(const Problem& p,
-                      int label,
-                      const MapRandomWalkerOptions& options)
+probabilityBruteForce(const Problem& p, int label, double beta)
 {
   const std::size_t n = p.values.size();
   // L x = 0 at unlabelled pixels, x = 1 or 0 at seeds
@@ -82,9 +77,9 @@ probabilityBruteForce(const Problem& p,
     }
     system(i, i) = 1e-13; // pixels that reach no seed: 0
     for (std::size_t j = 0; j < n; ++j)
-      if (areNeighbours(p, i, j, options.neighbourhood)) {
-        system(i, i) += weight(p, i, j, options.beta);
-        system(i, j) -= weight(p, i, j, options.beta);
+      if (areNeighbours(p, i, j)) {
+        system(i, i) += weight(p, i, j, beta);
+        system(i, j) -= weight(p, i, j, beta);
       }
   }
   const Eigen::VectorXd x = system.fullPivLu().solve(side);
@@ -99,15 +94,11 @@ TEST(MapRandomWalker, EqualsTheDenseSolution)
   for (int trial = 0; trial < 150; ++trial) {
     const unsigned labels = 1 + rng() % 4;
     const auto p = randomProblem(labels, 3 + rng() % 20, 2 + rng() % 9, rng);
-    MapRandomWalkerOptions options;
-    options.beta = static_cast<double>(rng() % 4);
-    if (trial % 2)
-      options.neighbourhood = PixelNeighbourhood::Eight;
-    const auto result =
-        pcl::indoor::mapRandomWalker(p.values, p.labels, p.mask, options);
+    const auto beta = static_cast<double>(rng() % 4);
+    const auto result = pcl::indoor::mapRandomWalker(p.values, p.labels, p.mask, beta);
     std::vector<std::vector<double>> probability;
     for (unsigned l = 0; l < labels; ++l)
-      probability.push_back(probabilityBruteForce(p, static_cast<int>(l), options));
+      probability.push_back(probabilityBruteForce(p, static_cast<int>(l), beta));
     for (std::size_t i = 0; i < p.values.size(); ++i) {
       double best = 0.0;
       for (const auto& of_label : probability)
@@ -140,18 +131,16 @@ TEST(MapRandomWalker, AgreesWithTheOneOfPCL)
       continue;
     p.labels.values[0] = 0;
     p.labels.values.back() = 1;
-    MapRandomWalkerOptions options;
     Graph graph(p.values.size());
     for (std::size_t i = 0; i < p.values.size(); ++i) {
       boost::put(
           boost::vertex_color, graph, i, p.labels.values[i] + 1); // 0 = unlabelled
       for (std::size_t j = 0; j < i; ++j)
-        if (areNeighbours(p, i, j, options.neighbourhood))
+        if (areNeighbours(p, i, j))
           boost::add_edge(i, j, static_cast<float>(weight(p, i, j, 1.0)), graph);
     }
     ASSERT_TRUE(pcl::segmentation::randomWalker(graph));
-    const auto result =
-        pcl::indoor::mapRandomWalker(p.values, p.labels, p.mask, options);
+    const auto result = pcl::indoor::mapRandomWalker(p.values, p.labels, p.mask, 1.0);
     int different = 0;
     for (std::size_t i = 0; i < p.values.size(); ++i)
       different += static_cast<int>(boost::get(boost::vertex_color, graph, i)) !=
@@ -166,12 +155,10 @@ TEST(MapRandomWalker, StopsAtAStepOfTheValues)
   const PixelMap<float> values{1, 7, {0.0f, 0.0f, 0.0f, 9.0f, 9.0f, 9.0f, 9.0f}};
   const PixelMap<int> labels{1, 7, {4, -1, -1, -1, -1, -1, 2}};
   const PixelMap<std::uint8_t> mask{1, 7, std::vector<std::uint8_t>(7, 1)};
-  EXPECT_EQ(pcl::indoor::mapRandomWalker(values, labels, mask, {}).values,
+  EXPECT_EQ(pcl::indoor::mapRandomWalker(values, labels, mask, 1.0).values,
             (std::vector<int>{4, 4, 4, 2, 2, 2, 2}));
-  MapRandomWalkerOptions flat;
-  flat.beta = 0.0;
   // without weights the middle decides; the middle pixel is a tie: the smaller label
-  EXPECT_EQ(pcl::indoor::mapRandomWalker(values, labels, mask, flat).values,
+  EXPECT_EQ(pcl::indoor::mapRandomWalker(values, labels, mask, 0.0).values,
             (std::vector<int>{4, 4, 4, 2, 2, 2, 2}));
 }
 
@@ -187,32 +174,27 @@ TEST(MapRandomWalker, SurvivesWeightsThatVanish)
   labels.values[pixel_count / 2] = 2;
   const PixelMap<std::uint8_t> mask{
       120, 120, std::vector<std::uint8_t>(pixel_count, 1)};
-  MapRandomWalkerOptions threads;
-  threads.threads = 1;
-  const auto one = pcl::indoor::mapRandomWalker(values, labels, mask, threads);
+  const auto one = pcl::indoor::mapRandomWalker(values, labels, mask, 1.0, 1);
   for (const int label : one.values)
     EXPECT_TRUE(label >= 0 && label <= 2);
-  threads.threads = 8;
-  EXPECT_EQ(pcl::indoor::mapRandomWalker(values, labels, mask, threads).values,
+  EXPECT_EQ(pcl::indoor::mapRandomWalker(values, labels, mask, 1.0, 8).values,
             one.values);
 }
 
 TEST(MapRandomWalker, HandlesLittleAndBadInput)
 {
-  EXPECT_TRUE(pcl::indoor::mapRandomWalker({}, {}, {}, {}).values.empty());
+  EXPECT_TRUE(pcl::indoor::mapRandomWalker({}, {}, {}, 1.0).values.empty());
   PixelMap<float> values{1, 1, {1.0f}};
   PixelMap<int> labels{1, 1, {-1}};
   const PixelMap<std::uint8_t> mask{1, 1, {1}};
-  EXPECT_EQ(pcl::indoor::mapRandomWalker(values, labels, mask, {}).values[0], -1);
+  EXPECT_EQ(pcl::indoor::mapRandomWalker(values, labels, mask, 1.0).values[0], -1);
   labels.values[0] = 7;
-  EXPECT_EQ(pcl::indoor::mapRandomWalker(values, labels, mask, {}).values[0], 7);
-  EXPECT_THROW(pcl::indoor::mapRandomWalker(values, {}, mask, {}),
+  EXPECT_EQ(pcl::indoor::mapRandomWalker(values, labels, mask, 1.0).values[0], 7);
+  EXPECT_THROW(pcl::indoor::mapRandomWalker(values, {}, mask, 1.0),
                pcl::BadArgumentException);
-  MapRandomWalkerOptions negative;
-  negative.beta = -1.0;
-  EXPECT_THROW(pcl::indoor::mapRandomWalker(values, labels, mask, negative),
+  EXPECT_THROW(pcl::indoor::mapRandomWalker(values, labels, mask, -1.0),
                pcl::BadArgumentException);
   values.values[0] = std::numeric_limits<float>::infinity();
-  EXPECT_THROW(pcl::indoor::mapRandomWalker(values, labels, mask, {}),
+  EXPECT_THROW(pcl::indoor::mapRandomWalker(values, labels, mask, 1.0),
                pcl::BadArgumentException);
 }
