@@ -20,7 +20,7 @@ using namespace pcl::indoor;
 
 // A box 0 ... 4, 0 ... 3 and 0 ... 2.5 m, with or without a cupboard at its far wall.
 Building
-room(const std::string& furniture = "")
+roomWith(const std::string& furniture = "")
 {
   return buildBuilding(parsePlan(R"({"name": "box", "wall_thickness": 0.2, "storeys": [
     {"name": "", "elevation": 0, "ceiling_height": 2.5, "rooms": [{"name": "box",
@@ -35,7 +35,7 @@ const std::string cabinet = R"(, "furniture": [{"class": "cabinet", "at": [3, 1.
 const CameraPose pose{{1, 1.5, 1.2}, {4, 1.5, 1.2}};
 
 DepthCameraOptions
-perfect()
+perfectCamera()
 {
   DepthCameraOptions options;
   options.width = 160;
@@ -55,7 +55,7 @@ sees(const PointXYZScene& point)
 
 TEST(DepthCamera, SeesAWallWhereItIs)
 {
-  const auto view = viewBuilding(room(), pose, perfect());
+  const auto view = viewBuilding(roomWith(), pose, perfectCamera());
   ASSERT_EQ(view.width, 160u);
   ASSERT_EQ(view.height, 120u);
   EXPECT_FALSE(view.is_dense);
@@ -86,23 +86,23 @@ TEST(DepthCamera, SeesAWallWhereItIs)
 
 TEST(DepthCamera, NoDepthOutOfRangeAtGrazingAnglesAndWhereTheProjectorIsHidden)
 {
-  auto options = perfect();
+  auto options = perfectCamera();
   options.max_range = 2.9;
-  EXPECT_FALSE(sees(viewBuilding(room(), pose, options).at(80, 60)));
+  EXPECT_FALSE(sees(viewBuilding(roomWith(), pose, options).at(80, 60)));
   options.max_range = 5;
   options.min_range = 3.1;
-  EXPECT_FALSE(sees(viewBuilding(room(), pose, options).at(80, 60)));
-  options = perfect();
+  EXPECT_FALSE(sees(viewBuilding(roomWith(), pose, options).at(80, 60)));
+  options = perfectCamera();
   options.least_cosine = 0.99; // 8 degrees
-  const auto straight = viewBuilding(room(), pose, options);
+  const auto straight = viewBuilding(roomWith(), pose, options);
   EXPECT_TRUE(sees(straight.at(80, 60)));
   EXPECT_FALSE(sees(straight.at(110, 60))) << "13 degrees from the middle";
 
   // The front of the cabinet is about 1.8 m away, the wall 3 m: on the left of it a
   // strip of the wall has no light, 131 px * 0.075 m * (1 / 1.8 m - 1 / 3 m) = 2.2 px
   // wide.
-  const auto building = room(cabinet);
-  options = perfect();
+  const auto building = roomWith(cabinet);
+  options = perfectCamera();
   const auto shadow = [&](double baseline) {
     options.baseline = baseline;
     const auto view = viewBuilding(building, pose, options);
@@ -120,9 +120,9 @@ TEST(DepthCamera, NoDepthOutOfRangeAtGrazingAnglesAndWhereTheProjectorIsHidden)
 
 TEST(DepthCamera, NoiseIsThatOfTheDisparity)
 {
-  auto options = perfect();
+  auto options = perfectCamera();
   options.noise = 0.5;
-  const auto building = room();
+  const auto building = roomWith();
   const auto view = viewBuilding(building, pose, options);
   const double scale = options.focal_length * options.baseline;
   double squares = 0, products = 0, count = 0;
@@ -147,9 +147,9 @@ TEST(DepthCamera, NoiseIsThatOfTheDisparity)
 
 TEST(DepthCamera, TheSameSeedGivesTheSameView)
 {
-  auto options = perfect();
+  auto options = perfectCamera();
   options.noise = 0.1;
-  const auto building = room(cabinet);
+  const auto building = roomWith(cabinet);
   const auto bytes = [&] {
     const auto view = viewBuilding(building, pose, options);
     return std::string(reinterpret_cast<const char*>(view.points.data()),
@@ -163,13 +163,14 @@ TEST(DepthCamera, TheSameSeedGivesTheSameView)
 
 TEST(DepthCamera, LooksStraightDown)
 {
-  const auto view = viewBuilding(room(), {{2, 1.5, 2}, {2, 1.5, 0}}, perfect());
+  const auto view =
+      viewBuilding(roomWith(), {{2, 1.5, 2}, {2, 1.5, 0}}, perfectCamera());
   EXPECT_NEAR(view.at(80, 60).z, 2, 1e-3);
 }
 
 TEST(DepthCamera, DrawsViewsOfWhatIsThere)
 {
-  const auto building = room(cabinet);
+  const auto building = roomWith(cabinet);
   const auto walk = planTrajectory(building, {});
   std::set<double> places;
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
@@ -179,21 +180,22 @@ TEST(DepthCamera, DrawsViewsOfWhatIsThere)
     const double distance = (drawn.target - drawn.position).norm();
     EXPECT_GE(distance, 1);
     EXPECT_LE(distance, 4);
-    EXPECT_EQ(viewBuilding(building, drawn, perfect()).at(80, 60).object, 1u);
+    EXPECT_EQ(viewBuilding(building, drawn, perfectCamera()).at(80, 60).object, 1u);
     EXPECT_EQ(drawCameraPose(building, {}, seed).position, drawn.position);
     places.insert(drawn.position.x());
   }
   EXPECT_GT(places.size(), 1u) << "all from one place of " << walk.size();
-  EXPECT_THROW(drawCameraPose(room(), {}, 1), pcl::BadArgumentException) << "no object";
+  EXPECT_THROW(drawCameraPose(roomWith(), {}, 1), pcl::BadArgumentException)
+      << "no object";
 }
 
 TEST(DepthCamera, RefusesWhatItCannotSee)
 {
-  const auto building = room();
-  EXPECT_THROW(viewBuilding(building, {pose.position, pose.position}, perfect()),
+  const auto building = roomWith();
+  EXPECT_THROW(viewBuilding(building, {pose.position, pose.position}, perfectCamera()),
                pcl::BadArgumentException);
   const auto refuses = [&](auto change) {
-    auto options = perfect();
+    auto options = perfectCamera();
     change(options);
     EXPECT_THROW(viewBuilding(building, pose, options), pcl::BadArgumentException);
   };

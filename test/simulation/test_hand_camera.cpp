@@ -20,7 +20,7 @@ using namespace pcl::indoor;
 // Inside 0 ... 4, 0 ... 3 and 0 ... 2.5 m; a cabinet stands on the floor before the
 // far wall, a window is in the left one.
 Building
-room()
+roomWithCabinet()
 {
   return buildBuilding(parsePlan(R"({"name": "box", "wall_thickness": 0.2, "storeys": [
     {"name": "", "elevation": 0, "ceiling_height": 2.5, "rooms": [{"name": "box",
@@ -42,7 +42,7 @@ quick()
 }
 
 HandCameraOptions
-perfect(HandCameraOptions options = quick())
+perfectHandCamera(HandCameraOptions options = quick())
 {
   options.noise = options.drift = 0;
   options.camera.step = 1e-7;
@@ -95,8 +95,8 @@ bytes(const SimulatedScan& scan)
 
 TEST(HandCamera, APerfectCameraFindsSurfacesWhereTheyAreWithTheirLabels)
 {
-  const auto building = room();
-  auto options = perfect(HandCameraOptions());
+  const auto building = roomWithCabinet();
+  auto options = perfectHandCamera(HandCameraOptions());
   options.most_points = 5000;
   const auto scan = captureRoom(building, 1, options);
   ASSERT_EQ(scan.points.size(), 5000u);
@@ -114,7 +114,7 @@ TEST(HandCamera, APerfectCameraFindsSurfacesWhereTheyAreWithTheirLabels)
 
 TEST(HandCamera, SeesObjectsAndFloorsButHardlyCeilingsAndNothingBehindObjects)
 {
-  const auto building = room();
+  const auto building = roomWithCabinet();
   std::map<std::string, int> counts;
   int behind = 0;
   const auto scan = captureRoom(building, 1, HandCameraOptions());
@@ -137,7 +137,7 @@ TEST(HandCamera, SeesObjectsAndFloorsButHardlyCeilingsAndNothingBehindObjects)
 double
 roughness(const HandCameraOptions& options)
 {
-  const auto building = room();
+  const auto building = roomWithCabinet();
   const auto floor = building.category("floor");
   double squares = 0, count = 0;
   for (const auto& point : captureRoom(building, 1, options).points)
@@ -150,27 +150,27 @@ roughness(const HandCameraOptions& options)
 
 TEST(HandCamera, NoiseAndDriftMakeSurfacesRough)
 {
-  const double smooth = roughness(perfect());
+  const double smooth = roughness(perfectHandCamera());
   EXPECT_LT(smooth, 0.003);
-  auto options = perfect();
+  auto options = perfectHandCamera();
   options.noise = 0.01;
   EXPECT_GT(roughness(options), smooth + 0.002);
-  options = perfect();
+  options = perfectHandCamera();
   options.drift = 0.02;
   EXPECT_GT(roughness(options), smooth + 0.004);
 }
 
 TEST(HandCamera, DarkPartsAreMissing)
 {
-  auto options = perfect();
+  auto options = perfectHandCamera();
   options.camera.dark = 1;
-  for (const auto& point : captureRoom(room(), 1, options).points)
+  for (const auto& point : captureRoom(roomWithCabinet(), 1, options).points)
     ASSERT_EQ(point.part, 0u);
 }
 
 TEST(HandCamera, IsTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed)
 {
-  const auto building = room();
+  const auto building = roomWithCabinet();
   auto options = quick();
   options.threads = 1;
   const auto one = bytes(captureRoom(building, 1, options));
@@ -182,7 +182,7 @@ TEST(HandCamera, IsTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed)
 
 TEST(HandCamera, RefusesWhatIsOutOfRange)
 {
-  const auto building = room();
+  const auto building = roomWithCabinet();
   EXPECT_THROW(captureRoom(building, 0, {}), pcl::BadArgumentException);
   EXPECT_THROW(captureRoom(building, 2, {}), pcl::BadArgumentException);
   const auto refuses = [&](auto change) {

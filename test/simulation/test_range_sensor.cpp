@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause
  * Copyright (c) 2026, the pcl_indoor contributors
  */
+#include "same_scan.h"
+
 #include <pcl/simulation/random_draw.h>
 #include <pcl/simulation/range_sensor.h>
 #include <pcl/simulation/trajectory.h>
@@ -20,6 +22,7 @@
 namespace {
 
 using namespace pcl::indoor;
+using pcl::indoor::test::same;
 
 // A box 0 ... 4, 0 ... 3 and 0 ... 2.5 m, whose walls are as thin as they may be.
 Building
@@ -44,15 +47,6 @@ perfect(int rays)
 }
 
 const Eigen::Vector3d middle(1.5, 1.2, 1.1);
-
-bool
-same(const SimulatedScan& a, const SimulatedScan& b)
-{
-  return a.points.size() == b.points.size() && a.poses == b.poses &&
-         std::memcmp(a.points.data(),
-                     b.points.data(),
-                     a.points.size() * sizeof(PointXYZScene)) == 0;
-}
 
 TEST(RangeSensor, APerfectScanOfABoxLiesOnItsFaces)
 {
