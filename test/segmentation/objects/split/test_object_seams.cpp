@@ -68,7 +68,7 @@ openShelf()
 
 /** All points of one segment in the input, with their own normals. */
 std::vector<std::uint32_t>
-parted(const ObjectScene& scene, bool leave_out = false)
+partedAtSeams(const ObjectScene& scene, bool leave_out = false)
 {
   std::vector<std::uint32_t> labels(scene.points.size(), 1);
   partAtSeams(scene, std::vector<std::uint8_t>(scene.points.size(), leave_out), labels);
@@ -84,9 +84,9 @@ sceneOf(const LabelledPoints& labelled)
 }
 
 std::vector<std::uint32_t>
-parted(const LabelledPoints& labelled)
+partedAtSeams(const LabelledPoints& labelled)
 {
-  return parted(sceneOf(labelled));
+  return partedAtSeams(sceneOf(labelled));
 }
 
 /** Share of the points that are in another segment than most of their object. */
@@ -111,7 +111,7 @@ TEST(ObjectSeams, PartCabinetsWhicheverWayTheyStand)
   for (const float angle : {0.0f, 0.3f, 1.2f, 2.8f}) {
     auto scene = cabinets(3);
     scene.turn(Eigen::AngleAxisf(angle, Eigen::Vector3f::UnitZ()).toRotationMatrix());
-    const auto labels = parted(scene);
+    const auto labels = partedAtSeams(scene);
     EXPECT_EQ(segmentCount(labels), 3u) << angle;
     // a cut, in steps of 3 degrees, leaves the seam by up to 8 mm
     EXPECT_LT(strayShare(scene, labels), 0.03) << angle;
@@ -120,17 +120,17 @@ TEST(ObjectSeams, PartCabinetsWhicheverWayTheyStand)
 
 TEST(ObjectSeams, AreNotSeenWhereNothingIsSeenBetween)
 {
-  EXPECT_EQ(segmentCount(parted(cabinets(2, 0.03f))), 1u);
-  EXPECT_EQ(segmentCount(parted(cabinets(1))), 1u);
+  EXPECT_EQ(segmentCount(partedAtSeams(cabinets(2, 0.03f))), 1u);
+  EXPECT_EQ(segmentCount(partedAtSeams(cabinets(1))), 1u);
 }
 
 TEST(ObjectSeams, LeaveTheCompartmentsOfAnOpenShelfTogether)
 {
-  EXPECT_EQ(segmentCount(parted(openShelf())), 1u);
+  EXPECT_EQ(segmentCount(partedAtSeams(openShelf())), 1u);
   auto closed = openShelf();
   for (auto& normal : closed.normals)
     normal *= -1;
-  EXPECT_EQ(segmentCount(parted(closed)), 2u) << "it is the normals that tell";
+  EXPECT_EQ(segmentCount(partedAtSeams(closed)), 2u) << "it is the normals that tell";
 }
 
 TEST(ObjectSeams, LeaveATableOnItsPanelWhole)
@@ -141,21 +141,21 @@ TEST(ObjectSeams, LeaveATableOnItsPanelWhole)
       {0, 0, 0.7f}, {1.6f, 0, 0}, {0, 0.8f, 0}, {0, 0, 1}, 1, spacing, noise, rng);
   table.addRectangle(
       {0.8f, 0.05f, 0}, {0, 0.7f, 0}, {0, 0, 0.68f}, {1, 0, 0}, 1, spacing, noise, rng);
-  EXPECT_EQ(segmentCount(parted(table)), 1u) << "what is below it is open";
+  EXPECT_EQ(segmentCount(partedAtSeams(table)), 1u) << "what is below it is open";
 }
 
 TEST(ObjectSeams, NeedBodiesOnBothSides)
 {
   auto cut_off = cabinets(2); // 0.1 m of the second is left
   cut_off.removeIf([](const Eigen::Vector3f& p) { return p.x() > 0.7f; });
-  EXPECT_EQ(segmentCount(parted(cut_off)), 1u);
+  EXPECT_EQ(segmentCount(partedAtSeams(cut_off)), 1u);
 }
 
 TEST(ObjectSeams, LeaveLeftOutAndOtherSegmentsAlone)
 {
   const auto labelled = cabinets(2);
   const auto scene = sceneOf(labelled);
-  EXPECT_EQ(segmentCount(parted(scene, true)), 1u);
+  EXPECT_EQ(segmentCount(partedAtSeams(scene, true)), 1u);
   auto labels = labelled.objects;
   partAtSeams(scene, std::vector<std::uint8_t>(labels.size(), 0), labels);
   EXPECT_EQ(labels, labelled.objects);
@@ -166,15 +166,15 @@ TEST(ObjectSeams, AreTheSameForAnyThreadsAndOrder)
   const auto scene = cabinets(3);
   auto with_threads = sceneOf(scene);
   with_threads.threads = 1;
-  const auto labels = parted(with_threads);
+  const auto labels = partedAtSeams(with_threads);
   with_threads.threads = 3;
-  EXPECT_EQ(parted(with_threads), labels);
+  EXPECT_EQ(partedAtSeams(with_threads), labels);
   std::mt19937 rng(2);
   const auto order = shuffledOrder(scene.points.size(), rng);
   std::vector<std::uint32_t> expected;
   for (const auto i : order)
     expected.push_back(labels[i]);
-  EXPECT_EQ(renamed(parted(scene.reordered(order))), renamed(expected));
+  EXPECT_EQ(renamed(partedAtSeams(scene.reordered(order))), renamed(expected));
 }
 
 TEST(ObjectSeams, LeaveWhatReachesTooFarWhole)
@@ -184,17 +184,17 @@ TEST(ObjectSeams, LeaveWhatReachesTooFarWhole)
   auto scene = sceneOfPoints(points, 1e3); // voxels of any size
   scene.voxel_size = 0.03;
   scene.voxels.normals.assign(scene.voxels.size(), Eigen::Vector3f::UnitZ());
-  EXPECT_EQ(segmentCount(parted(scene)), 1u);
+  EXPECT_EQ(segmentCount(partedAtSeams(scene)), 1u);
 }
 
 TEST(ObjectSeams, LeaveDegenerateInputAlone)
 {
-  EXPECT_TRUE(parted(LabelledPoints()).empty());
+  EXPECT_TRUE(partedAtSeams(LabelledPoints()).empty());
   LabelledPoints same;
   same.points.assign(500, {1, 2, 3});
   same.normals.assign(500, {0, 0, 1});
   same.objects.assign(500, 1);
-  EXPECT_EQ(segmentCount(parted(same)), 1u);
+  EXPECT_EQ(segmentCount(partedAtSeams(same)), 1u);
 }
 
 TEST(ObjectSeams, LeaveFewPointsFarFromTheOriginWhole)
@@ -210,7 +210,7 @@ TEST(ObjectSeams, LeaveFewPointsFarFromTheOriginWhole)
     }
     auto scene = sceneOfPoints(points, voxel);
     scene.voxels.normals.assign(scene.voxels.size(), Eigen::Vector3f::UnitZ());
-    EXPECT_EQ(segmentCount(parted(scene)), 1u);
+    EXPECT_EQ(segmentCount(partedAtSeams(scene)), 1u);
   }
 }
 

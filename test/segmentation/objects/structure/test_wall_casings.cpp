@@ -13,7 +13,7 @@ using namespace pcl::indoor;
 
 namespace {
 
-constexpr double voxel_size = 0.03;
+constexpr double casing_voxel_size = 0.03;
 const Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
 
 /** The plane with this normal at a height of 2 m along it. */
@@ -26,7 +26,7 @@ planeAlong(const Eigen::Vector3d& normal)
   return plane;
 }
 
-const StructurePlane wall = planeAlong(Eigen::Vector3d::UnitX());
+const StructurePlane wall_plane = planeAlong(Eigen::Vector3d::UnitX());
 constexpr std::size_t wall_points = 2;
 
 /** Points along x from one depth to another, behind the wall (< 0) or before it, the
@@ -38,7 +38,7 @@ bar(double from, double to, const std::vector<double>& first = {})
   for (int i = 0; i < 100; ++i) {
     const double depth =
         i < static_cast<int>(first.size()) ? first[i] : from + (to - from) * i / 99;
-    points.emplace_back(static_cast<float>(wall.offset + depth), 0.0f, 0.01f * i);
+    points.emplace_back(static_cast<float>(wall_plane.offset + depth), 0.0f, 0.01f * i);
   }
   return points;
 }
@@ -48,11 +48,11 @@ bar(double from, double to, const std::vector<double>& first = {})
 std::vector<std::uint8_t>
 flagsOf(const std::vector<Eigen::Vector3f>& points,
         const std::vector<std::uint32_t>& segments,
-        const std::vector<StructurePlane>& planes = {wall},
+        const std::vector<StructurePlane>& planes = {wall_plane},
         const Eigen::Vector3f& upwards = up)
 {
   ObjectScene scene;
-  scene.voxel_size = voxel_size;
+  scene.voxel_size = casing_voxel_size;
   scene.planes = planes;
   scene.up = upwards;
   std::vector<std::uint32_t> segment_of_point;
@@ -76,7 +76,7 @@ flagsOf(const std::vector<Eigen::Vector3f>& points,
 
 bool
 isFrame(const std::vector<Eigen::Vector3f>& points,
-        const std::vector<StructurePlane>& planes = {wall},
+        const std::vector<StructurePlane>& planes = {wall_plane},
         const Eigen::Vector3f& upwards = up)
 {
   const auto flags =
@@ -90,7 +90,7 @@ TEST(WallCasings, ReachBehindTheWall)
 {
   EXPECT_TRUE(isFrame(bar(-0.15, 0.1)));
   EXPECT_TRUE(isFrame(bar(-0.19, -0.04))) << "in a deep reveal";
-  EXPECT_FALSE(isFrame(bar(0, 0.19))) << "a wall cabinet";
+  EXPECT_FALSE(isFrame(bar(0, 0.19))) << "a wall_plane cabinet";
   EXPECT_FALSE(isFrame(bar(-0.025, 0.19))) << "noise of less than a voxel";
 }
 
@@ -111,9 +111,9 @@ TEST(WallCasings, MayHaveFewPointsElsewhere)
 TEST(WallCasings, AreInAnyWallButNotInTheFloor)
 {
   const auto other = planeAlong(Eigen::Vector3d::UnitY());
-  EXPECT_TRUE(isFrame(bar(-0.15, 0.1), {other, wall}));
+  EXPECT_TRUE(isFrame(bar(-0.15, 0.1), {other, wall_plane}));
   EXPECT_FALSE(isFrame(bar(-0.15, 0.1), {other}));
-  EXPECT_FALSE(isFrame(bar(-0.15, 0.1), {wall}, Eigen::Vector3f::UnitX()));
+  EXPECT_FALSE(isFrame(bar(-0.15, 0.1), {wall_plane}, Eigen::Vector3f::UnitX()));
   EXPECT_FALSE(isFrame(bar(-0.15, 0.1), {}));
 }
 
