@@ -28,7 +28,7 @@ inline pcl::PointCloud<pcl::PointNormal>::Ptr
 boxCloud(std::size_t count, std::uint32_t seed)
 {
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>>();
-  for (const auto& point : pcl::indoor::boxSurface({1.0f, 0.6f, 0.3f}, count, seed)) {
+  for (const auto& point : pcl::indoor::boxSurface(box_size, count, seed)) {
     pcl::PointNormal both;
     both.getVector3fMap() = point.position;
     both.getNormalVector3fMap() = point.normal;

@@ -11,6 +11,8 @@
 
 namespace pcl::indoor {
 
+inline const Eigen::Vector3f box_size(1.0f, 0.6f, 0.3f);
+
 inline float
 drawBetween(float low, float high, std::mt19937& rng)
 {

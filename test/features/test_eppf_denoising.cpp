@@ -17,8 +17,6 @@
 namespace pcl::indoor {
 namespace {
 
-const Eigen::Vector3f box_size(1.0f, 0.6f, 0.3f);
-
 PointNoise
 noiseOf(const std::vector<OrientedPoint>& points)
 {

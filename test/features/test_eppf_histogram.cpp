@@ -23,7 +23,7 @@ namespace {
 // A value within rounding of a border may fall on either side of it: of 20,000 pairs
 // with features in single precision (relative error 1e-7) a handful at most, each 1 /
 // 20,000 of the sum on two sides and up to 0.79 / 0.18 of it by the weights.
-constexpr double rounding = 10 * 2 * 4.4 / 20000;
+constexpr double border_share = 10 * 2 * 4.4 / 20000;
 
 TEST(EPPFHistogram, SidesOfNormalsDoNotMatterUnlessGiven)
 {
@@ -139,7 +139,7 @@ TEST(EPPFHistogram, TurningChangesOnlyRoundingBesidesOccupancy)
   // Positions of size 4 are rounded to 2.4e-7, features by about as much: the pairs
   // within that of a border are again a handful.
   EXPECT_LT(difference(eppfHistogram(points, options), eppfHistogram(turned, options)),
-            rounding);
+            border_share);
 }
 
 TEST(EPPFHistogram, TurningChangesOnlySamplingOfStratifiedPairs)

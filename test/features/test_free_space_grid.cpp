@@ -15,18 +15,18 @@ using namespace pcl::indoor;
 namespace {
 
 float
-uniform(std::mt19937& rng)
+zeroToOne(std::mt19937& rng)
 {
   return static_cast<float>(rng() % 100001) / 100000;
 }
 
 /** Points in a box of 3 x 2 x 2 m, and some at its corners. */
 std::vector<Eigen::Vector3f>
-randomPoints(int count, std::mt19937& rng)
+pointsInBox(int count, std::mt19937& rng)
 {
   std::vector<Eigen::Vector3f> points{{0, 0, 0}, {3, 2, 2}};
   for (int i = 0; i < count; ++i)
-    points.emplace_back(3 * uniform(rng), 2 * uniform(rng), 2 * uniform(rng));
+    points.emplace_back(3 * zeroToOne(rng), 2 * zeroToOne(rng), 2 * zeroToOne(rng));
   return points;
 }
 
@@ -69,7 +69,7 @@ lengthInCell(const Eigen::Vector3d& start,
 TEST(FreeSpaceGrid, ClearanceIsTheCityBlockDistance)
 {
   std::mt19937 rng(1);
-  const auto points = randomPoints(6, rng);
+  const auto points = pointsInBox(6, rng);
   const FreeSpaceGrid grid(points, 0.2);
   const auto occupied = cellsOf(grid, points);
   Eigen::Vector3i cell;
@@ -88,18 +88,19 @@ TEST(FreeSpaceGrid, SightIsThatOfBruteForce)
   std::mt19937 rng(2);
   std::size_t seen = 0, judged = 0;
   for (int trial = 0; trial < 20; ++trial) {
-    const auto points = randomPoints(40 * trial, rng);
+    const auto points = pointsInBox(40 * trial, rng);
     const FreeSpaceGrid grid(points, 0.05);
     const auto occupied = cellsOf(grid, points);
     const Eigen::Vector3d origin =
         grid.center({0, 0, 0}).cast<double>().array() - grid.cellSize() / 2;
     for (int line = 0; line < 200; ++line) {
-      const Eigen::Vector3f from(3 * uniform(rng), 2 * uniform(rng), 2 * uniform(rng));
+      const Eigen::Vector3f from(
+          3 * zeroToOne(rng), 2 * zeroToOne(rng), 2 * zeroToOne(rng));
       // A point, or a place that may lie outside of the box.
       const Eigen::Vector3f to = line % 2 ? points[rng() % points.size()]
-                                          : Eigen::Vector3f(5 * uniform(rng) - 1,
-                                                            2 * uniform(rng),
-                                                            3 * uniform(rng));
+                                          : Eigen::Vector3f(5 * zeroToOne(rng) - 1,
+                                                            2 * zeroToOne(rng),
+                                                            3 * zeroToOne(rng));
       const Eigen::Vector3d start = (from.cast<double>() - origin) / grid.cellSize();
       const Eigen::Vector3d end = (to.cast<double>() - origin) / grid.cellSize();
       const double length = (end - start).norm();

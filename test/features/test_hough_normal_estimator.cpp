@@ -19,7 +19,7 @@ namespace {
 constexpr float degree = 3.14159265f / 180;
 
 float
-uniform(std::mt19937& rng)
+minusOneToOne(std::mt19937& rng)
 {
   return static_cast<float>(rng() % 20001) / 10000 - 1;
 }
@@ -28,7 +28,7 @@ Eigen::Vector3f
 randomDirection(std::mt19937& rng)
 {
   for (;;) {
-    const Eigen::Vector3f v(uniform(rng), uniform(rng), uniform(rng));
+    const Eigen::Vector3f v(minusOneToOne(rng), minusOneToOne(rng), minusOneToOne(rng));
     if (v.norm() > 0.1f && v.norm() <= 1)
       return v.normalized();
   }
@@ -49,8 +49,8 @@ disc(const Eigen::Vector3f& normal, int count, float noise, std::mt19937& rng)
   const Eigen::Vector3f v = normal.cross(u);
   std::vector<Eigen::Vector3f> points;
   for (int i = 0; i < count; ++i)
-    points.push_back(uniform(rng) * u + uniform(rng) * v +
-                     noise * uniform(rng) * normal);
+    points.push_back(minusOneToOne(rng) * u + minusOneToOne(rng) * v +
+                     noise * minusOneToOne(rng) * normal);
   return points;
 }
 
@@ -187,7 +187,7 @@ TEST(HoughNormal, StopsEarlyWhereItIsSure)
   EXPECT_LE(estimator.estimate(flat).triples, 16u);
   std::vector<Eigen::Vector3f> cloud;
   for (int i = 0; i < 50; ++i)
-    cloud.emplace_back(uniform(rng), uniform(rng), uniform(rng));
+    cloud.emplace_back(minusOneToOne(rng), minusOneToOne(rng), minusOneToOne(rng));
   EXPECT_EQ(estimator.estimate(cloud).triples, estimator.tripleCount());
 }
 
@@ -260,7 +260,7 @@ TEST(HoughNormal, BadOptionsThrow)
     EXPECT_FALSE(findProblem(options).empty());
     EXPECT_THROW(HoughNormalEstimator{options}, pcl::BadArgumentException);
   };
-  EXPECT_TRUE(findProblem({}).empty());
+  EXPECT_TRUE(findProblem(HoughNormalOptions{}).empty());
   expectBad([](auto& o) { o.bin_angle_degrees = 0.5; });
   expectBad([](auto& o) { o.rotations = 0; });
   expectBad([](auto& o) { o.rotations = 17; });

@@ -18,7 +18,7 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Normals = pcl::PointCloud<pcl::Normal>;
-using Estimation = pcl::HoughNormalEstimation<pcl::PointXYZ>;
+using HoughEstimation = pcl::HoughNormalEstimation<pcl::PointXYZ>;
 
 Cloud::Ptr
 plane(const Eigen::Vector3f& corner)
@@ -32,7 +32,7 @@ plane(const Eigen::Vector3f& corner)
 Normals
 estimated(const Cloud::Ptr& cloud, double radius, unsigned threads = 1)
 {
-  Estimation estimation(threads);
+  HoughEstimation estimation(threads);
   estimation.setInputCloud(cloud);
   estimation.setRadiusSearch(radius);
   Normals normals;
@@ -97,8 +97,8 @@ TEST(HoughNormalEstimation, TheDenseSideOfAnEdgeDoesNotOutvoteTheOther)
   fold.removeIf(
       [](const auto& p) { return std::abs(p.x()) + std::abs(p.z()) < 0.008f; });
   const auto cloud = test::cloudOf(fold.points);
-  const auto badOfSparse = [&](Estimation::Sampling sampling) {
-    Estimation estimation;
+  const auto badOfSparse = [&](HoughEstimation::Sampling sampling) {
+    HoughEstimation estimation;
     estimation.setInputCloud(cloud);
     estimation.setRadiusSearch(0.08);
     auto options = estimation.getOptions();
@@ -117,8 +117,8 @@ TEST(HoughNormalEstimation, TheDenseSideOfAnEdgeDoesNotOutvoteTheOther)
     EXPECT_LT(sparse.size(), dense / 5);
     return test::shareOfBad(sparse, truth);
   };
-  const auto by_cubes = badOfSparse(Estimation::Sampling::Cubes);
-  EXPECT_LT(by_cubes, 0.8 * badOfSparse(Estimation::Sampling::Points));
+  const auto by_cubes = badOfSparse(HoughEstimation::Sampling::Cubes);
+  EXPECT_LT(by_cubes, 0.8 * badOfSparse(HoughEstimation::Sampling::Points));
 }
 
 TEST(HoughNormalEstimation, ThreadsAndOrderDoNotMatter)
@@ -139,7 +139,7 @@ TEST(HoughNormalEstimation, ThreadsAndOrderDoNotMatter)
 
 TEST(HoughNormalEstimation, RunsTwiceTheSame)
 {
-  Estimation estimation;
+  HoughEstimation estimation;
   estimation.setInputCloud(test::cloudOf(test::noisyBox(0.003f).points));
   Normals first, second;
   estimation.compute(first); // with the automatic radius
@@ -156,7 +156,7 @@ TEST(HoughNormalEstimation, IndicesAndSearchSurfaceAreRespected)
 {
   const auto cloud = test::cloudOf(test::noisyBox(0.003f).points);
   const auto all = estimated(cloud, 0.05);
-  Estimation estimation;
+  HoughEstimation estimation;
   estimation.setInputCloud(cloud);
   estimation.setRadiusSearch(0.05);
   const auto indices = pcl::make_shared<pcl::Indices>(pcl::Indices{7, 3, 900});
@@ -168,7 +168,7 @@ TEST(HoughNormalEstimation, IndicesAndSearchSurfaceAreRespected)
     EXPECT_EQ(some[i].getNormalVector3fMap(),
               all[(*indices)[i]].getNormalVector3fMap());
 
-  Estimation elsewhere;
+  HoughEstimation elsewhere;
   elsewhere.setInputCloud(test::cloudOf({{0.5f, 0.5f, 1.01f}}));
   elsewhere.setSearchSurface(plane({0, 0, 1}));
   elsewhere.setRadiusSearch(0.2);
@@ -219,7 +219,7 @@ TEST(HoughNormalEstimation, NormalsPointToTheViewpoint)
 {
   const auto cloud = plane({0, 0, 0});
   cloud->sensor_origin_ = Eigen::Vector4f(0, 0, 3, 0);
-  Estimation estimation;
+  HoughEstimation estimation;
   estimation.setInputCloud(cloud);
   estimation.setRadiusSearch(0.2);
   Normals normals;
@@ -242,7 +242,7 @@ TEST(HoughNormalEstimation, NormalsTurnAsTheirNeighbours)
   const auto cloud = test::cloudOf(box.points);
   // Beside the box: the viewpoint alone is wrong for the far sides.
   cloud->sensor_origin_ = Eigen::Vector4f(0.25f, 0.2f, 9, 0);
-  Estimation estimation;
+  HoughEstimation estimation;
   estimation.setInputCloud(cloud);
   estimation.setRadiusSearch(0.06);
   const auto right = [&](NormalOrientation orientation) {
@@ -264,14 +264,14 @@ TEST(HoughNormalEstimation, NormalsTurnAsTheirNeighbours)
 
 TEST(HoughNormalEstimation, SettersReachTheOptions)
 {
-  Estimation estimation(3);
+  HoughEstimation estimation(3);
   EXPECT_EQ(estimation.getNumberOfThreads(), 3u);
   estimation.setNumberOfTriples(99);
   estimation.setConfidenceBounds(0.9, 0.2);
   estimation.setBinAngle(10);
   estimation.setNumberOfRotations(2);
-  estimation.setChoice(Estimation::Choice::Mean);
-  estimation.setSampling(Estimation::Sampling::Points);
+  estimation.setChoice(HoughEstimation::Choice::Mean);
+  estimation.setSampling(HoughEstimation::Sampling::Points);
   estimation.setRefinement(false);
   estimation.setSeed(8);
   EXPECT_EQ(estimation.getNumberOfTriples(), 99u);
@@ -279,8 +279,8 @@ TEST(HoughNormalEstimation, SettersReachTheOptions)
   EXPECT_EQ(estimation.getDeviation(), 0.2);
   EXPECT_EQ(estimation.getBinAngle(), 10);
   EXPECT_EQ(estimation.getNumberOfRotations(), 2u);
-  EXPECT_EQ(estimation.getChoice(), Estimation::Choice::Mean);
-  EXPECT_EQ(estimation.getSampling(), Estimation::Sampling::Points);
+  EXPECT_EQ(estimation.getChoice(), HoughEstimation::Choice::Mean);
+  EXPECT_EQ(estimation.getSampling(), HoughEstimation::Sampling::Points);
   EXPECT_FALSE(estimation.getRefinement());
   EXPECT_EQ(estimation.getSeed(), 8u);
   EXPECT_EQ(estimation.getOptions().triples, 99u);
@@ -289,7 +289,7 @@ TEST(HoughNormalEstimation, SettersReachTheOptions)
 TEST(HoughNormalEstimation, WrongUseGivesNothing)
 {
   const auto expectNothing = [](auto change) {
-    Estimation estimation;
+    HoughEstimation estimation;
     estimation.setInputCloud(plane({0, 0, 0}));
     estimation.setRadiusSearch(0.2);
     change(estimation);

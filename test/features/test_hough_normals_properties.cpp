@@ -22,7 +22,7 @@ using Points = std::vector<Eigen::Vector3f>;
 
 namespace {
 
-constexpr unsigned trials = 3;
+constexpr unsigned random_boxes = 3;
 
 /** The bits that a normal and its curvature have, so that NaN equals
  * itself. */
@@ -43,11 +43,11 @@ randomBox(unsigned seed)
   return box.points;
 }
 
-class Normals {
+class NormalsOfBoxes {
 public:
   pcl::HoughNormalEstimation<pcl::PointXYZ> estimation;
 
-  Normals() { estimation.setViewPoint(-2, -3, 4); }
+  NormalsOfBoxes() { estimation.setViewPoint(-2, -3, 4); }
 
   pcl::PointCloud<pcl::Normal>
   of(const Points& points)
@@ -76,9 +76,9 @@ public:
 
 TEST(HoughNormalProperties, AnyNumberOfThreadsGivesTheSameBits)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_boxes; ++seed) {
     const auto points = randomBox(seed);
-    Normals normals;
+    NormalsOfBoxes normals;
     normals.estimation.setNumberOfThreads(1);
     const auto one = normals.bitsOf(points);
     ASSERT_EQ(one.size(), points.size());
@@ -91,26 +91,26 @@ TEST(HoughNormalProperties, AnyNumberOfThreadsGivesTheSameBits)
 
 TEST(HoughNormalProperties, AnotherOrderOfPointsGivesTheSameBits)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_boxes; ++seed) {
     const auto points = randomBox(seed);
     std::mt19937 rng(seed);
     const auto order = shuffledOrder(points.size(), rng);
     // the automatic radius is that of distances, which have no order
-    EXPECT_EQ(Normals().bitsOf(inOrder(points, order)),
-              inOrder(Normals().bitsOf(points), order))
+    EXPECT_EQ(NormalsOfBoxes().bitsOf(inOrder(points, order)),
+              inOrder(NormalsOfBoxes().bitsOf(points), order))
         << seed;
   }
 }
 
 TEST(HoughNormalProperties, TheSamePointsInRowsGiveTheSameBits)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_boxes; ++seed) {
     auto points = randomBox(seed);
     points.resize(points.size() / 2 * 2);
     const auto in_rows = cloudOf(points);
     in_rows->width = static_cast<std::uint32_t>(points.size() / 2);
     in_rows->height = 2;
-    Normals one_row, rows;
+    NormalsOfBoxes one_row, rows;
     for (auto* const normals : {&one_row, &rows})
       normals->estimation.setKSearch(20);
     const auto expected = one_row.of(points);
@@ -129,10 +129,10 @@ TEST(HoughNormalProperties, TheSamePointsInRowsGiveTheSameBits)
 
 TEST(HoughNormalProperties, CopiesOfPointsHaveTheNormalOfTheirPlace)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_boxes; ++seed) {
     const auto points = randomBox(seed);
     const auto order = withCopies(points.size());
-    const auto bits = Normals().bitsOf(inOrder(points, order));
+    const auto bits = NormalsOfBoxes().bitsOf(inOrder(points, order));
     ASSERT_EQ(bits.size(), order.size());
     for (std::size_t k = points.size(); k < order.size(); ++k)
       ASSERT_EQ(bits[k], bits[order[k]]) << seed;
@@ -141,15 +141,15 @@ TEST(HoughNormalProperties, CopiesOfPointsHaveTheNormalOfTheirPlace)
 
 TEST(HoughNormalProperties, BadPointsHaveNoNormalAndChangeNoOther)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_boxes; ++seed) {
     const auto points = randomBox(seed);
     std::mt19937 rng(seed);
     std::vector<std::size_t> places;
     const auto with_bad = withBadPoints(points, rng, places);
-    const auto bits = Normals().bitsOf(with_bad);
+    const auto bits = NormalsOfBoxes().bitsOf(with_bad);
     ASSERT_EQ(bits.size(), with_bad.size());
-    EXPECT_EQ(inOrder(bits, places), Normals().bitsOf(points)) << seed;
-    const auto normals = Normals().of(with_bad);
+    EXPECT_EQ(inOrder(bits, places), NormalsOfBoxes().bitsOf(points)) << seed;
+    const auto normals = NormalsOfBoxes().of(with_bad);
     EXPECT_FALSE(normals.is_dense);
     for (std::size_t i = 0; i < with_bad.size(); ++i) {
       if (!with_bad[i].allFinite()) {
@@ -161,28 +161,28 @@ TEST(HoughNormalProperties, BadPointsHaveNoNormalAndChangeNoOther)
 
 TEST(HoughNormalProperties, IndicesWithTheirPointsAsSurfaceAreThosePointsAlone)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_boxes; ++seed) {
     const auto points = randomBox(seed);
     std::mt19937 rng(seed);
     const auto subset = randomSubset(points.size(), rng);
-    Normals normals;
+    NormalsOfBoxes normals;
     normals.estimation.setIndices(
         pcl::make_shared<pcl::Indices>(subset.begin(), subset.end()));
     // without a surface all points of the cloud are neighbours, as in PCL's features
-    Normals whole;
+    NormalsOfBoxes whole;
     EXPECT_EQ(normals.bitsOf(points), inOrder(whole.bitsOf(points), subset)) << seed;
     normals.estimation.setSearchSurface(cloudOf(inOrder(points, subset)));
-    EXPECT_EQ(normals.bitsOf(points), Normals().bitsOf(inOrder(points, subset)))
+    EXPECT_EQ(normals.bitsOf(points), NormalsOfBoxes().bitsOf(inOrder(points, subset)))
         << seed;
   }
 }
 
 TEST(HoughNormalProperties, ShiftsThatFloatsHoldChangeNoBit)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_boxes; ++seed) {
     const auto points = onRaster(randomBox(seed));
     const Eigen::Vector3f by(16384, -8192, 512);
-    Normals normals, moved;
+    NormalsOfBoxes normals, moved;
     moved.estimation.setViewPoint(-2 + by.x(), -3 + by.y(), 4 + by.z());
     for (auto* const n : {&normals, &moved})
       n->estimation.setRadiusSearch(0.06); // not that of a tie
@@ -192,12 +192,12 @@ TEST(HoughNormalProperties, ShiftsThatFloatsHoldChangeNoBit)
 
 TEST(HoughNormalProperties, UtmCoordinatesAsFloatsAreTheirPointsNearTheOrigin)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_boxes; ++seed) {
     auto points = randomBox(seed);
     for (auto& point : points)
       point *= 10; // several of the steps of UTM coordinates
     const UtmPoints utm(points);
-    Normals normals, moved;
+    NormalsOfBoxes normals, moved;
     moved.estimation.setViewPoint(
         -2 + utm.offset.x(), -3 + utm.offset.y(), 4 + utm.offset.z());
     for (auto* const n : {&normals, &moved})
@@ -210,9 +210,9 @@ TEST(HoughNormalProperties, UtmCoordinatesAsFloatsAreTheirPointsNearTheOrigin)
 
 TEST(HoughNormalProperties, TurnedWithTheCloudNormalsDifferByLessThanTheirNoise)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_boxes; ++seed) {
     const auto points = randomBox(seed);
-    const auto straight = Normals().of(points);
+    const auto straight = NormalsOfBoxes().of(points);
     for (const float degrees : {17.0f, 90.0f, 230.0f}) {
       const Eigen::Matrix3f turn =
           Eigen::AngleAxisf(degrees * static_cast<float>(M_PI) / 180,
@@ -221,7 +221,7 @@ TEST(HoughNormalProperties, TurnedWithTheCloudNormalsDifferByLessThanTheirNoise)
       auto turned = points;
       for (auto& point : turned)
         point = turn * point;
-      const auto other = Normals().of(turned);
+      const auto other = NormalsOfBoxes().of(turned);
       std::vector<double> angles;
       for (std::size_t i = 0; i < points.size(); ++i) {
         const Eigen::Vector3f normal = turn * straight[i].getNormalVector3fMap();

@@ -13,7 +13,7 @@ namespace pcl::indoor {
 namespace {
 
 std::vector<OrientedPoint>
-randomPoints(std::size_t count, std::mt19937& rng)
+pointsInCube(std::size_t count, std::mt19937& rng)
 {
   std::vector<OrientedPoint> points(count);
   const auto draw = [&] { return static_cast<float>(rng() % 100001) / 100000.0f; };
@@ -80,7 +80,7 @@ TEST(LineOccupancy, CountsWhatASlowWalkCounts)
 {
   std::mt19937 rng(7);
   for (const int grid_size : {2, 5, 16, 64}) {
-    const auto points = randomPoints(300, rng);
+    const auto points = pointsInCube(300, rng);
     const LineOccupancy grid(points, grid_size);
     for (int trial = 0; trial < 200; ++trial) {
       const auto& from = points[rng() % points.size()].position;

@@ -37,7 +37,7 @@ room(std::mt19937& rng)
 
 /** Points near each other, by brute force on cells. */
 Adjacency
-neighborsOf(const std::vector<Eigen::Vector3f>& points, double distance)
+neighborsByCells(const std::vector<Eigen::Vector3f>& points, double distance)
 {
   const auto cells = groupByCell(points, distance);
   const auto around = cellAdjacency(cells.keys);
@@ -59,8 +59,8 @@ neighborsOf(const std::vector<Eigen::Vector3f>& points, double distance)
 }
 
 double
-shareOfRight(const test::LabelledPoints& scene,
-             const std::vector<Eigen::Vector3f>& normals)
+rightShare(const test::LabelledPoints& scene,
+           const std::vector<Eigen::Vector3f>& normals)
 {
   std::size_t right = 0;
   for (std::size_t i = 0; i < normals.size(); ++i)
@@ -86,19 +86,19 @@ TEST(NormalOrientation, TowardsTheFreeSpaceOfARoom)
   for (auto& normal : normals)
     if (rng() % 2)
       normal *= -1;
-  EXPECT_NEAR(shareOfRight(scene, normals), 0.5, 0.05);
+  EXPECT_NEAR(rightShare(scene, normals), 0.5, 0.05);
   FreeSpaceOptions options;
   options.cell_size = 0.1;
   orientTowardsFreeSpace(
-      scene.points, neighborsOf(scene.points, 0.06), options, normals);
-  EXPECT_GT(shareOfRight(scene, normals), 0.99);
+      scene.points, neighborsByCells(scene.points, 0.06), options, normals);
+  EXPECT_GT(rightShare(scene, normals), 0.99);
 }
 
 TEST(NormalOrientation, IsTheSameForAnyNumberOfThreads)
 {
   std::mt19937 rng(5);
   const auto scene = room(rng);
-  const auto neighbors = neighborsOf(scene.points, 0.06);
+  const auto neighbors = neighborsByCells(scene.points, 0.06);
   FreeSpaceOptions options;
   options.cell_size = 0.1;
   auto one = scene.normals, two = scene.normals;

@@ -23,9 +23,9 @@ using namespace pcl::indoor::test;
 
 namespace {
 
-constexpr unsigned trials = 4;
+constexpr unsigned random_objects = 4;
 using Objects = pcl::PointCloud<pcl::PointNormal>;
-using Points = std::vector<OrientedPoint>;
+using OrientedPoints = std::vector<OrientedPoint>;
 
 template <typename Estimation, typename SignatureT>
 struct Kind {
@@ -48,7 +48,7 @@ protected:
   using Signature = typename KindT::Signature;
 
   static std::vector<float>
-  described(Estimator& estimation, const Points& points)
+  described(Estimator& estimation, const OrientedPoints& points)
   {
     const auto cloud = pcl::make_shared<Objects>();
     for (const auto& point : points) {
@@ -68,7 +68,7 @@ protected:
   }
 
   static std::vector<float>
-  described(const Points& points)
+  described(const OrientedPoints& points)
   {
     Estimator estimation;
     return described(estimation, points);
@@ -85,7 +85,7 @@ protected:
   }
 };
 
-Points
+OrientedPoints
 randomObject(unsigned seed)
 {
   std::mt19937 rng(seed);
@@ -95,8 +95,8 @@ randomObject(unsigned seed)
       seed);
 }
 
-Points
-turned(Points points, float radians)
+OrientedPoints
+turned(OrientedPoints points, float radians)
 {
   const Eigen::Matrix3f turn =
       Eigen::AngleAxisf(radians, Eigen::Vector3f::UnitZ()).toRotationMatrix();
@@ -119,7 +119,7 @@ TYPED_TEST_SUITE(PairFeatureProperties, Kinds);
 
 TYPED_TEST(PairFeatureProperties, AnyNumberOfThreadsGivesTheSameBits)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_objects; ++seed) {
     typename TestFixture::Estimator estimation;
     estimation.setNumberOfThreads(1);
     const auto one = this->described(estimation, randomObject(seed));
@@ -132,11 +132,11 @@ TYPED_TEST(PairFeatureProperties, AnyNumberOfThreadsGivesTheSameBits)
 
 TYPED_TEST(PairFeatureProperties, BadPointsChangeNoBit)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_objects; ++seed) {
     const auto points = randomObject(seed);
     std::mt19937 rng(seed);
     const float bad[] = {NAN, INFINITY, -INFINITY, 1e20f};
-    Points with_bad;
+    OrientedPoints with_bad;
     for (const auto& point : points) {
       if (rng() % 4 == 0) {
         with_bad.push_back(point);
@@ -150,7 +150,7 @@ TYPED_TEST(PairFeatureProperties, BadPointsChangeNoBit)
 
 TYPED_TEST(PairFeatureProperties, IndicesAreTheirPointsAlone)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_objects; ++seed) {
     const auto points = randomObject(seed);
     std::mt19937 rng(seed);
     const auto subset = randomSubset(points.size(), rng);
@@ -164,7 +164,7 @@ TYPED_TEST(PairFeatureProperties, IndicesAreTheirPointsAlone)
 
 TYPED_TEST(PairFeatureProperties, ShiftsThatFloatsHoldChangeNoBit)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_objects; ++seed) {
     auto points = randomObject(seed);
     for (auto& point : points)
       point.position = (256 * point.position.array()).round() / 256;
@@ -177,7 +177,7 @@ TYPED_TEST(PairFeatureProperties, ShiftsThatFloatsHoldChangeNoBit)
 
 TYPED_TEST(PairFeatureProperties, UtmCoordinatesAsFloatsAreTheirPointsNearTheOrigin)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_objects; ++seed) {
     auto near = randomObject(seed);
     std::vector<Eigen::Vector3f> positions;
     for (const auto& point : near)
@@ -196,7 +196,7 @@ TYPED_TEST(PairFeatureProperties, UtmCoordinatesAsFloatsAreTheirPointsNearTheOri
 
 TYPED_TEST(PairFeatureProperties, OrderCopiesAndTurnsChangeLittleBesideOtherShapes)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < random_objects; ++seed) {
     const auto points = randomObject(seed);
     const auto original = this->described(points);
     // Other pairs are drawn, and voxels of the occupancy do not turn with the object.

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "features/harmonics_oracle.h"
+#include "features/histogram_bounds.h"
 #include "features/oriented_shapes.h"
 
 #include <algorithm>
@@ -18,7 +19,6 @@
 namespace pcl::indoor {
 namespace {
 
-const Eigen::Vector3f box_size(1.0f, 0.6f, 0.3f);
 const HarmonicBins default_bins{3, 6, 12};
 
 // Block sums of up to 128 terms in single precision, each within 128 * 2^-24 of the sum
@@ -26,15 +26,6 @@ const HarmonicBins default_bins{3, 6, 12};
 // Positions of size 1 and axes are rounded to 2^-24, which the functions' slopes, below
 // 100, turn into 1e-5. All relative to a sum of values above 1.
 constexpr double rounding = 1e-4;
-
-double
-difference(const std::vector<double>& a, const std::vector<double>& b)
-{
-  double sum = 0.0;
-  for (std::size_t bin = 0; bin < a.size(); ++bin)
-    sum += std::abs(a[bin] - b[bin]);
-  return sum;
-}
 
 std::vector<double>
 harmonicsOf(const std::vector<OrientedPoint>& points, const HarmonicBins& bins)

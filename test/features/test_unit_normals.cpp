@@ -18,19 +18,19 @@ namespace {
 
 using Vectors = std::vector<Eigen::Vector3f>;
 
-struct Cloud {
+struct RoomPoints {
   Vectors points, normals;
 };
 
 /** The six sides of an empty room of 5 x 4 x 2.5 m, with 3 mm of noise. */
-Cloud
+RoomPoints
 emptyRoom(std::size_t count, std::uint32_t seed = 1)
 {
   std::mt19937 rng(seed);
   std::uniform_real_distribution<float> share(0.0f, 1.0f);
   std::normal_distribution<float> noise(0.0f, 0.003f);
   const Eigen::Vector3f size(5, 4, 2.5f);
-  Cloud room;
+  RoomPoints room;
   for (std::size_t i = 0; i < count; ++i) {
     const int axis = static_cast<int>(i % 3);
     const bool far = i % 2 == 0;
@@ -85,7 +85,7 @@ TEST(NormalsProblem, ThoseOfThePointsHaveNone)
 TEST(NormalsProblem, ASingleWallMayHaveTheSameEverywhere)
 {
   auto room = emptyRoom(30000);
-  Cloud wall;
+  RoomPoints wall;
   for (std::size_t i = 0; i < room.points.size(); i += 6) {
     wall.points.push_back(room.points[i]);
     wall.normals.push_back(room.normals[i]);

@@ -17,19 +17,19 @@ using namespace pcl::indoor;
 
 namespace {
 
-using Removal = pcl::NonConvexPointsRemoval<pcl::PointXYZ, pcl::Normal>;
+using NonConvexRemoval = pcl::NonConvexPointsRemoval<pcl::PointXYZ, pcl::Normal>;
 
-struct Scene {
+struct Walls {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud{new pcl::PointCloud<pcl::PointXYZ>};
   pcl::PointCloud<pcl::Normal>::Ptr normals{new pcl::PointCloud<pcl::Normal>};
 };
 
 /** Two walls that meet, of high curvature along the edge: concave seen from one side,
  * convex from the other. */
-Scene
+Walls
 corner(float side)
 {
-  Scene scene;
+  Walls scene;
   const float diagonal = std::sqrt(0.5f) * side;
   for (int i = 0; i < 20; ++i)
     for (int j = 0; j < 20; ++j) {
@@ -48,9 +48,9 @@ corner(float side)
 }
 
 pcl::Indices
-filtered(const Scene& scene, bool negative = false)
+filtered(const Walls& scene, bool negative = false)
 {
-  Removal removal;
+  NonConvexRemoval removal;
   removal.setInputCloud(scene.cloud);
   removal.setInputNormals(scene.normals);
   removal.setNegative(negative);
@@ -161,7 +161,7 @@ TEST(NonConvexPointsRemoval, RespectsIndicesAndReportsTheRemoved)
   const pcl::IndicesPtr half(new pcl::Indices);
   for (std::size_t i = 0; i < scene.cloud->size(); i += 2) // one of the two walls
     half->push_back(static_cast<pcl::index_t>(i));
-  Removal removal(true);
+  NonConvexRemoval removal(true);
   removal.setInputCloud(scene.cloud);
   removal.setInputNormals(scene.normals);
   removal.setIndices(half);
@@ -194,7 +194,7 @@ TEST(NonConvexPointsRemoval, WorksFarFromTheOrigin)
 TEST(NonConvexPointsRemoval, GivesNothingForWrongUse)
 {
   const auto scene = corner(1);
-  Removal removal;
+  NonConvexRemoval removal;
   pcl::Indices indices;
   removal.setInputCloud(scene.cloud);
   removal.filter(indices);
@@ -222,7 +222,7 @@ TEST(NonConvexPointsRemoval, GivesNothingForWrongUse)
 
 TEST(NonConvexPointsRemoval, OnePointAndEqualPointsStay)
 {
-  Scene scene;
+  Walls scene;
   for (int i = 0; i < 3; ++i) {
     scene.cloud->emplace_back(1.0f, 1.0f, 1.0f);
     scene.normals->emplace_back(0.0f, 0.0f, 1.0f, 0.0f);
@@ -234,7 +234,7 @@ TEST(NonConvexPointsRemoval, ARadiusTooSmallForTheExtentGivesNothing)
 {
   const auto scene = corner(1);
   (*scene.cloud)[0].x = 5e8f;
-  Removal removal;
+  NonConvexRemoval removal;
   removal.setInputCloud(scene.cloud);
   removal.setInputNormals(scene.normals);
   removal.setRadius(1e-3);
@@ -245,7 +245,7 @@ TEST(NonConvexPointsRemoval, ARadiusTooSmallForTheExtentGivesNothing)
 
 TEST(NonConvexPointsRemoval, DefaultsAreAsDocumented)
 {
-  const Removal removal;
+  const NonConvexRemoval removal;
   EXPECT_EQ(removal.getRadius(), 0);
   EXPECT_FLOAT_EQ(removal.getCurvatureThreshold(), 0.03f);
   EXPECT_FLOAT_EQ(removal.getRatioThreshold(), 0.2f);

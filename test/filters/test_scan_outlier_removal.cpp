@@ -3,6 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 
+#include "support/labelled_cloud.h"
 #include "support/labelled_points.h"
 
 #include <pcl/exceptions.h>
@@ -17,11 +18,12 @@
 #include <numeric>
 
 using namespace pcl::indoor;
+using pcl::indoor::test::cloudOf;
 
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-using Removal = pcl::ScanOutlierRemoval<pcl::PointXYZ>;
+using OutlierRemoval = pcl::ScanOutlierRemoval<pcl::PointXYZ>;
 
 /** A wall, and points in the air before it; wall points are the first ones. */
 std::vector<Eigen::Vector3f>
@@ -38,15 +40,6 @@ wallWithOutliers(std::size_t& wall_size)
   wall.points.emplace_back(0.0f, 700.0f, 0.0f); // a reflection
   wall.points.emplace_back(0.01f, 700.0f, 0.0f);
   return wall.points;
-}
-
-Cloud::Ptr
-cloudOf(const std::vector<Eigen::Vector3f>& points)
-{
-  const auto cloud = pcl::make_shared<Cloud>();
-  for (const auto& point : points)
-    cloud->emplace_back(point.x(), point.y(), point.z());
-  return cloud;
 }
 
 /** Both tests by brute force. */
@@ -119,7 +112,7 @@ TEST(ScanOutlierRemoval, TheDefaultsKeepTheWall)
 {
   std::size_t wall_size = 0;
   const auto points = wallWithOutliers(wall_size);
-  Removal removal(true);
+  OutlierRemoval removal(true);
   removal.setInputCloud(cloudOf(points));
   pcl::Indices kept;
   removal.filter(kept);
@@ -144,7 +137,7 @@ TEST(ScanOutlierRemoval, EitherTestCanBeLeftOut)
   std::size_t wall_size = 0;
   const auto cloud = cloudOf(wallWithOutliers(wall_size));
   const auto kept = [&](int min_neighbors, double deviations) {
-    Removal removal;
+    OutlierRemoval removal;
     removal.setInputCloud(cloud);
     removal.setMinNeighborsInRadius(min_neighbors);
     removal.setStddevMulThresh(deviations);
@@ -170,7 +163,7 @@ TEST(ScanOutlierRemoval, IndicesAndBadPointsAreRespected)
   for (std::size_t i = 1000; i-- > 0;)
     indices->push_back(static_cast<pcl::index_t>(i));
   indices->push_back(static_cast<pcl::index_t>(points.size() - 1));
-  Removal removal(true);
+  OutlierRemoval removal(true);
   removal.setInputCloud(cloud);
   removal.setIndices(indices);
   pcl::Indices kept;
@@ -195,7 +188,7 @@ TEST(ScanOutlierRemoval, LargeCoordinatesDoNotMatter)
     auto moved = points;
     for (auto& point : moved)
       point.x() += shift;
-    Removal removal;
+    OutlierRemoval removal;
     removal.setInputCloud(cloudOf(moved));
     pcl::Indices indices;
     removal.filter(indices);
@@ -207,7 +200,7 @@ TEST(ScanOutlierRemoval, LargeCoordinatesDoNotMatter)
 TEST(ScanOutlierRemoval, SmallInput)
 {
   for (int count = 0; count < 4; ++count) {
-    Removal removal;
+    OutlierRemoval removal;
     removal.setInputCloud(cloudOf(std::vector<Eigen::Vector3f>(count, {1, 2, 3})));
     pcl::Indices kept;
     removal.filter(kept);
@@ -217,7 +210,7 @@ TEST(ScanOutlierRemoval, SmallInput)
 
 TEST(ScanOutlierRemoval, SettersAndBadValues)
 {
-  Removal removal;
+  OutlierRemoval removal;
   removal.setInputCloud(cloudOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   removal.setRadiusSearch(2);
   removal.setMinNeighborsInRadius(1);

@@ -25,7 +25,7 @@ struct Scene {
 
 /** Segments of random sizes in a row, and a prediction that moves their borders. */
 Scene
-randomScene(std::mt19937& rng)
+randomInstances(std::mt19937& rng)
 {
   Scene scene;
   for (std::uint32_t label = 0; label < 8; ++label)
@@ -187,7 +187,7 @@ TEST(AveragePrecision, AgreesWithTheDefinitionsPointByPoint)
     const std::size_t min_size = trial % 2 == 0 ? 1 : 4;
     AveragePrecision precision, in_parts;
     for (auto& scene : scenes) {
-      scene = randomScene(rng);
+      scene = randomInstances(rng);
       precision.add(scene.truth, scene.predicted, min_size, {}, scene.confidences);
       AveragePrecision part;
       part.add(scene.truth, scene.predicted, min_size, {}, scene.confidences);
@@ -249,7 +249,7 @@ TEST(ObjectScore, FactorsOfPanopticQualityByCountingPoints)
 {
   std::mt19937 rng(2);
   for (int trial = 0; trial < 40; ++trial) {
-    const auto scene = randomScene(rng);
+    const auto scene = randomInstances(rng);
     const std::vector<Scene> scenes{scene};
     const auto score = scoreObjects(scene.truth, scene.predicted, 1);
     std::set<std::uint32_t> truths(scene.truth.begin(), scene.truth.end()), guesses;

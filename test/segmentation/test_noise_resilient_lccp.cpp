@@ -83,7 +83,7 @@ TEST(NoiseResilientLCCP, UsesGivenNormals)
 TEST(NoiseResilientLCCP, LabelsCountFromOneInTheOrderOfThePoints)
 {
   const auto scene = floorWithTwoBoxes();
-  const auto labels = segmented(cloudOf(scene.points));
+  const auto labels = segmentedObjects(cloudOf(scene.points));
   ASSERT_EQ(labels.size(), scene.points.size());
   EXPECT_EQ(labels, renamed(labels));
   EXPECT_EQ(std::count(labels.begin(), labels.end(), 0u), 0);
@@ -101,7 +101,7 @@ TEST(NoiseResilientLCCP, LabelledCloudHasInputsCoordinatesAndHeader)
   segmentation.segment(output);
   ASSERT_EQ(output.size(), cloud->size());
   EXPECT_EQ(output.header.frame_id, "room");
-  const auto labels = segmented(cloud);
+  const auto labels = segmentedObjects(cloud);
   for (std::size_t i = 0; i < output.size(); ++i) {
     ASSERT_EQ(output[i].getVector3fMap(), (*cloud)[i].getVector3fMap());
     ASSERT_EQ(output[i].label, labels[i]);
@@ -131,7 +131,7 @@ TEST(NoiseResilientLCCP, SegmentsOnlyTheIndices)
     if (labels[i] != 0)
       of_chosen.push_back(labels[i]);
   }
-  EXPECT_EQ(of_chosen, segmented(cloudOf(chosen)));
+  EXPECT_EQ(of_chosen, segmentedObjects(cloudOf(chosen)));
 }
 
 TEST(NoiseResilientLCCP, LeavesOnlyPointsThatAreNotFinite)
@@ -141,7 +141,7 @@ TEST(NoiseResilientLCCP, LeavesOnlyPointsThatAreNotFinite)
   cloud->is_dense = false;
   for (std::size_t i = 0; i < cloud->size(); i += 7)
     (*cloud)[i].y = std::numeric_limits<float>::quiet_NaN();
-  const auto labels = segmented(cloud);
+  const auto labels = segmentedObjects(cloud);
   ASSERT_EQ(labels.size(), cloud->size());
   for (std::size_t i = 0; i < labels.size(); ++i)
     ASSERT_EQ(labels[i] == 0, i % 7 == 0);
@@ -174,8 +174,8 @@ TEST(NoiseResilientLCCP, OrderOfPointsChangesOnlyNames)
   std::vector<Eigen::Vector3f> shuffled;
   for (const auto i : order)
     shuffled.push_back(scene.points[i]);
-  const auto labels = segmented(cloudOf(scene.points));
-  const auto other = segmented(cloudOf(shuffled));
+  const auto labels = segmentedObjects(cloudOf(scene.points));
+  const auto other = segmentedObjects(cloudOf(shuffled));
   Labels back(labels.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     back[order[i]] = other[i];

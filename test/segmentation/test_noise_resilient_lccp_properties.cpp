@@ -15,7 +15,7 @@ using Points = std::vector<Eigen::Vector3f>;
 
 namespace {
 
-constexpr unsigned trials = 3;
+constexpr unsigned object_trials = 3;
 
 /** A floor with two or three boxes on it, and a wall behind them. */
 Points
@@ -57,7 +57,7 @@ labelsOf(const Points& points, const Eigen::Vector3d& viewpoint = {2, -1, 3})
 
 TEST(ObjectProperties, AnyNumberOfThreadsGivesTheSameLabels)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < object_trials; ++seed) {
     Segmentation segmentation;
     segmentation.setInputCloud(cloudOf(randomScene(seed)));
     Labels one, many;
@@ -74,7 +74,7 @@ TEST(ObjectProperties, AnyNumberOfThreadsGivesTheSameLabels)
 
 TEST(ObjectProperties, AnotherOrderOfPointsGivesNearlyTheSameLabelsUpToNames)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < object_trials; ++seed) {
     const auto points = randomScene(seed);
     std::mt19937 rng(seed);
     const auto order = shuffledOrder(points.size(), rng);
@@ -87,7 +87,7 @@ TEST(ObjectProperties, AnotherOrderOfPointsGivesNearlyTheSameLabelsUpToNames)
 
 TEST(ObjectProperties, CopiesOfPointsHaveTheLabelOfTheirPlace)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < object_trials; ++seed) {
     const auto points = randomScene(seed);
     const auto order = withCopies(points.size());
     const auto labels = labelsOf(inOrder(points, order));
@@ -100,14 +100,14 @@ TEST(ObjectProperties, CopiesOfPointsHaveTheLabelOfTheirPlace)
 
 TEST(ObjectProperties, BadPointsGetNoLabelAndChangeNoOther)
 {
-  for (unsigned seed = 0; seed < trials; ++seed)
+  for (unsigned seed = 0; seed < object_trials; ++seed)
     expectBadPointsToChangeNoLabel(
         randomScene(seed), seed, [](const Points& points) { return labelsOf(points); });
 }
 
 TEST(ObjectProperties, IndicesGiveTheLabelsOfTheirPointsAlone)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < object_trials; ++seed) {
     const auto points = randomScene(seed);
     std::mt19937 rng(seed);
     const auto subset = randomSubset(points.size(), rng);
@@ -126,7 +126,7 @@ TEST(ObjectProperties, IndicesGiveTheLabelsOfTheirPointsAlone)
 
 TEST(ObjectProperties, LargeCoordinatesLoseNoMoreThanTheirFloats)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < object_trials; ++seed) {
     const auto points = onRaster(randomScene(seed));
     const Eigen::Vector3f by(16384, -8192, 512);
     EXPECT_EQ(labelsOf(shifted(points, by), Eigen::Vector3d(16386, -8193, 515)),
@@ -137,7 +137,7 @@ TEST(ObjectProperties, LargeCoordinatesLoseNoMoreThanTheirFloats)
 
 TEST(ObjectProperties, UtmCoordinatesAsFloatsAreTheirPointsNearTheOrigin)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < object_trials; ++seed) {
     const UtmPoints utm(randomScene(seed));
     const Eigen::Vector3d viewpoint(2, -1, 3);
     const auto labels = labelsOf(utm.near, viewpoint);
@@ -148,7 +148,7 @@ TEST(ObjectProperties, UtmCoordinatesAsFloatsAreTheirPointsNearTheOrigin)
 
 TEST(ObjectProperties, TurnedAboutTheVerticalTheObjectsAreNearlyTheSame)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < object_trials; ++seed) {
     const auto points = randomScene(seed);
     const auto labels = labelsOf(points);
     for (const double degrees : {90.0, 31.0, 211.0}) {

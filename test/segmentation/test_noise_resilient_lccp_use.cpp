@@ -44,23 +44,23 @@ TEST(NoiseResilientLCCPUse, SmallInputs)
   std::vector<Eigen::Vector3f> points;
   for (int i = 0; i < 3; ++i) { // one point, then equal points
     points.emplace_back(1, 2, 3);
-    EXPECT_EQ(segmented(cloudOf(points)), Labels(points.size(), 1));
+    EXPECT_EQ(segmentedObjects(cloudOf(points)), Labels(points.size(), 1));
   }
   const Cloud::Ptr nothing(new Cloud);
   nothing->emplace_back(std::numeric_limits<float>::quiet_NaN(), 0.0f, 0.0f);
-  EXPECT_TRUE(segmented(nothing).empty());
-  EXPECT_TRUE(segmented(Cloud::Ptr(new Cloud)).empty());
+  EXPECT_TRUE(segmentedObjects(nothing).empty());
+  EXPECT_TRUE(segmentedObjects(Cloud::Ptr(new Cloud)).empty());
 }
 
 TEST(NoiseResilientLCCPUse, PointsKilometresAwayGetNoSegmentAndChangeNothing)
 {
   const auto points = floorWithTwoBoxes().points;
-  const auto expected = segmented(cloudOf(points));
+  const auto expected = segmentedObjects(cloudOf(points));
   for (const float far : {1e4f, 1e6f, 9e8f}) {
     auto with = points;
     for (int i = 0; i < 3; ++i)
       with.insert(with.begin() + 7 * i, far * Eigen::Vector3f::Unit(i));
-    auto labels = segmented(cloudOf(with));
+    auto labels = segmentedObjects(cloudOf(with));
     ASSERT_EQ(labels.size(), with.size()) << far;
     for (int i = 2; i >= 0; --i) {
       EXPECT_EQ(labels[7 * i], 0u) << far;
@@ -75,7 +75,7 @@ TEST(NoiseResilientLCCPUse, ARoomInMillimetresHasNoPointsKilometresAway)
   auto points = floorWithTwoBoxes().points;
   for (auto& point : points)
     point *= 5000; // as if it were 20 km long
-  const auto labels = segmented(cloudOf(points));
+  const auto labels = segmentedObjects(cloudOf(points));
   EXPECT_EQ(std::count(labels.begin(), labels.end(), 0u), 0);
 }
 
@@ -320,7 +320,7 @@ TYPED_TEST(NoiseResilientLCCPOf, GivesTheSameForAllPointTypes)
   segmentation.setViewPoint(2, 1, 3);
   Labels labels;
   segmentation.segment(labels);
-  EXPECT_EQ(labels, segmented(cloudOf(scene.points)));
+  EXPECT_EQ(labels, segmentedObjects(cloudOf(scene.points)));
 }
 
 TEST(NoiseResilientLCCPUse, AllOutputsAreAlike)

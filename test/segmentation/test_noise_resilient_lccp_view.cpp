@@ -52,8 +52,8 @@ viewOfTable(std::uint32_t seed, const Eigen::Vector3d& position = {0.6, 0.5, 1.5
 using Segmentation = pcl::NoiseResilientLCCP<pcl::PointXYZ>;
 
 Labels
-segmented(Segmentation& segmentation,
-          const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud)
+segmentedBy(Segmentation& segmentation,
+            const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud)
 {
   Labels labels;
   segmentation.setInputCloud(cloud);
@@ -206,18 +206,18 @@ TEST(NoiseResilientLCCPView, ItsFrameAndItsRowsDoNotMatter)
 {
   const auto view = viewOfTable(90001);
   Segmentation segmentation;
-  const auto expected = segmented(segmentation, view.cloud);
+  const auto expected = segmentedBy(segmentation, view.cloud);
   ASSERT_EQ(segmentation.getReport().warnings.size(), 1u);
   EXPECT_TRUE(says(segmentation, "along z, with y down"));
   auto turned = view;
   for (auto& point : *turned.cloud)
     point = pcl::PointXYZ(point.x, -point.y, -point.z);
-  EXPECT_EQ(segmented(segmentation, turned.cloud), expected);
+  EXPECT_EQ(segmentedBy(segmentation, turned.cloud), expected);
   EXPECT_TRUE(segmentation.getReport().view.is_turned);
   ASSERT_EQ(segmentation.getReport().warnings.size(), 1u) << "it is said";
   for (const auto& cloud : {view.cloud, turned.cloud}) {
     const auto points = withoutRows(*cloud, expected);
-    EXPECT_EQ(segmented(segmentation, points.cloud), points.objects);
+    EXPECT_EQ(segmentedBy(segmentation, points.cloud), points.objects);
     EXPECT_EQ(segmentation.getReport().warnings.size(), 1u);
   }
 }
@@ -227,10 +227,10 @@ TEST(NoiseResilientLCCPView, ARoomMayBeSeenAlongMinusZ)
   const auto building = buildBuilding(randomPlan(90001, PlanKind::Home));
   auto view = viewOf(building, drawCameraPose(building, {}, 1), 1);
   Segmentation segmentation;
-  const auto expected = segmented(segmentation, view.cloud);
+  const auto expected = segmentedBy(segmentation, view.cloud);
   for (auto& point : *view.cloud)
     point = pcl::PointXYZ(point.x, -point.y, -point.z);
-  EXPECT_EQ(segmented(segmentation, view.cloud), expected);
+  EXPECT_EQ(segmentedBy(segmentation, view.cloud), expected);
 }
 
 TEST(NoiseResilientLCCPView, ATableIsATableFromFartherOff)
@@ -242,7 +242,7 @@ TEST(NoiseResilientLCCPView, ATableIsATableFromFartherOff)
         buildBuilding(randomPlan(seed, PlanKind::Table, PlanFilling::Cluttered));
     const auto view = viewOf(building, {{0.9, 0.8, 1.9}, {0, 0, 0.75}}, seed);
     Segmentation segmentation;
-    quality += scoreObjects(view.objects, segmented(segmentation, view.cloud))
+    quality += scoreObjects(view.objects, segmentedBy(segmentation, view.cloud))
                    .panopticQuality();
     tables += segmentation.getReport().view.capture == Capture::TableView;
   }
@@ -264,7 +264,7 @@ TEST(NoiseResilientLCCPView, ObjectsOnATableAreToldInWhateverFrameItStands)
       point.getVector3fMap() = turn * point.getVector3fMap();
     Segmentation segmentation;
     segmentation.setUpAxis(turn * upSeenFrom(pose));
-    const auto labels = segmented(segmentation, view.cloud);
+    const auto labels = segmentedBy(segmentation, view.cloud);
     EXPECT_EQ(segmentation.getReport().view.capture, Capture::Scan) << "a larger scan";
     EXPECT_FALSE(segmentation.getStructureIndices().empty()) << "floor and walls";
     quality += scoreObjects(view.objects, labels).panopticQuality();
@@ -276,21 +276,21 @@ TEST(NoiseResilientLCCPView, OnlyWhatWasSetIsChanged)
 {
   const auto view = viewOfTable(90001);
   Segmentation segmentation, changed;
-  const auto expected = segmented(segmentation, view.cloud);
+  const auto expected = segmentedBy(segmentation, view.cloud);
   changed.setVoxelResolution(0);
   changed.setFewestPoints(100);
   changed.setPartition(Partition::Pieces);
-  EXPECT_EQ(segmented(changed, view.cloud), expected) << "all are defaults";
+  EXPECT_EQ(segmentedBy(changed, view.cloud), expected) << "all are defaults";
   EXPECT_EQ(changed.getReport().options.min_segment_size, 6u);
   EXPECT_EQ(changed.getReport().options.pieces.scale, JoiningScale::View);
   EXPECT_EQ(changed.getReport().options.voxel_size, 0.005);
   changed.setVoxelResolution(0.01);
-  EXPECT_NE(segmented(changed, view.cloud), expected);
+  EXPECT_NE(segmentedBy(changed, view.cloud), expected);
   EXPECT_EQ(changed.getReport().options.voxel_size, 0.01);
   EXPECT_EQ(changed.getReport().options.seed_size, 0.04);
   EXPECT_EQ(changed.getReport().options.min_segment_size, 6u) << "it was not set";
   changed.setOptions(ObjectSegmentationOptions());
-  segmented(changed, view.cloud);
+  segmentedBy(changed, view.cloud);
   EXPECT_EQ(changed.getReport().options.voxel_size, 0.03) << "all were set";
 }
 
@@ -299,10 +299,10 @@ TEST(NoiseResilientLCCPView, OneSegmentAndMillimetresAreSaid)
   auto view = viewOfTable(90001);
   Segmentation segmentation;
   segmentation.setVoxelResolution(0.3);
-  segmented(segmentation, view.cloud);
+  segmentedBy(segmentation, view.cloud);
   EXPECT_TRUE(says(segmentation, "one segment"));
   for (auto& point : *view.cloud)
     point.getVector3fMap() *= 1000;
-  segmented(segmentation, view.cloud);
+  segmentedBy(segmentation, view.cloud);
   EXPECT_TRUE(says(segmentation, "millimetres"));
 }

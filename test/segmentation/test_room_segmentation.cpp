@@ -16,7 +16,7 @@ using namespace pcl::indoor::test;
 
 namespace {
 
-using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
+using RoomSegmentationXYZ = pcl::RoomSegmentation<pcl::PointXYZ>;
 
 constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -42,7 +42,7 @@ TEST(RoomSegmentation, PointIndicesAreConsistentWithLabels)
 {
   const auto cloud = cloudOf(twoRooms().points);
   cloud->header.frame_id = "map";
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloud);
   std::vector<pcl::PointIndices> rooms(7);
   segmentation.segment(rooms);
@@ -62,7 +62,7 @@ TEST(RoomSegmentation, PointIndicesAreConsistentWithLabels)
 TEST(RoomSegmentation, RunTwiceGivesTheSame)
 {
   const auto cloud = cloudOf(twoRooms().points);
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloud);
   Labels first, second{7};
   segmentation.segment(first);
@@ -94,7 +94,7 @@ TEST(RoomSegmentation, TheNumberOfThreadsChangesNothing)
   const auto cloud = cloudOf(turned(bentCorridorWithThreeRooms().points, 0.3));
   Labels labels[2];
   for (int i = 0; i < 2; ++i) {
-    Segmentation segmentation;
+    RoomSegmentationXYZ segmentation;
     segmentation.setInputCloud(cloud);
     segmentation.setNumberOfThreads(i + 1);
     segmentation.segment(labels[i]);
@@ -114,7 +114,7 @@ TEST(RoomSegmentation, IndicesAreRespected)
       second->push_back(static_cast<pcl::index_t>(i));
       points.push_back(scene.points[i]);
     }
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloud);
   segmentation.setIndices(second);
   Labels labels;
@@ -169,8 +169,8 @@ TEST(RoomSegmentation, OnePointGivesNoRoom)
 TEST_F(QuietRoomSegmentation, UnusableInputGivesNothing)
 {
   const auto cloud = cloudOf(twoRooms().points);
-  const auto nothing = [](const std::function<void(Segmentation&)>& prepare) {
-    Segmentation segmentation;
+  const auto nothing = [](const std::function<void(RoomSegmentationXYZ&)>& prepare) {
+    RoomSegmentationXYZ segmentation;
     prepare(segmentation);
     Labels labels{7, 7};
     std::vector<pcl::PointIndices> rooms(2);
@@ -178,14 +178,14 @@ TEST_F(QuietRoomSegmentation, UnusableInputGivesNothing)
     segmentation.segment(rooms);
     return labels.empty() && rooms.empty() && segmentation.getRooms().empty();
   };
-  EXPECT_TRUE(nothing([](Segmentation&) {})) << "no cloud";
+  EXPECT_TRUE(nothing([](RoomSegmentationXYZ&) {})) << "no cloud";
   EXPECT_TRUE(nothing([](auto& s) { s.setInputCloud(cloudOf({})); })) << "empty cloud";
   EXPECT_TRUE(nothing([](auto& s) {
     s.setInputCloud(
         cloudOf(std::vector<Eigen::Vector3f>(5, Eigen::Vector3f::Constant(nan_value))));
   })) << "all NaN";
   const auto indices = [&](const pcl::Indices& chosen) {
-    return [&cloud, chosen](Segmentation& s) {
+    return [&cloud, chosen](RoomSegmentationXYZ& s) {
       s.setInputCloud(cloud);
       s.setIndices(pcl::IndicesPtr(new pcl::Indices(chosen)));
     };
@@ -199,7 +199,7 @@ TEST_F(QuietRoomSegmentation, UnusableInputGivesNothing)
 TEST_F(QuietRoomSegmentation, EveryParameterIsRejected)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  using Set = std::function<void(Segmentation&)>;
+  using Set = std::function<void(RoomSegmentationXYZ&)>;
   const std::vector<std::pair<const char*, Set>> table{
       {"voxel size -0.1", [](auto& s) { s.setVoxelSize(-0.1); }},
       {"voxel size NaN", [=](auto& s) { s.setVoxelSize(nan); }},
@@ -232,7 +232,7 @@ TEST_F(QuietRoomSegmentation, EveryParameterIsRejected)
        }}};
   const auto cloud = cloudOf(twoRooms().points);
   for (const auto& [what, set] : table) {
-    Segmentation segmentation;
+    RoomSegmentationXYZ segmentation;
     segmentation.setInputCloud(cloud);
     set(segmentation);
     Labels labels{7};
@@ -248,7 +248,7 @@ TEST_F(QuietRoomSegmentation, EveryParameterIsRejected)
 
 TEST(RoomSegmentation, DefaultsAreAsDocumented)
 {
-  const Segmentation segmentation;
+  const RoomSegmentationXYZ segmentation;
   EXPECT_EQ(segmentation.getVoxelSize(), 0.0); // automatic
   EXPECT_EQ(segmentation.getMetresPerUnit(), 1.0);
   EXPECT_EQ(segmentation.getMinRoomArea(), 0.5);
@@ -262,7 +262,7 @@ TEST(RoomSegmentation, DefaultsAreAsDocumented)
 
 TEST(RoomSegmentation, SettersAndOptionsAreTheSameParameters)
 {
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setVoxelSize(0.15);
   segmentation.setMinRoomArea(1.0);
   segmentation.setMinRoomWidth(0.8);
@@ -270,7 +270,7 @@ TEST(RoomSegmentation, SettersAndOptionsAreTheSameParameters)
   segmentation.setOpenShare(0.5);
   segmentation.setHabitableArea(8.0);
   segmentation.setNumberOfThreads(2);
-  Segmentation other;
+  RoomSegmentationXYZ other;
   other.setOptions(segmentation.getOptions());
   EXPECT_EQ(other.getVoxelSize(), 0.15);
   EXPECT_EQ(other.getMinRoomArea(), 1.0);
@@ -284,8 +284,8 @@ TEST(RoomSegmentation, SettersAndOptionsAreTheSameParameters)
 TEST(RoomSegmentation, TheParametersHaveAnEffect)
 {
   auto cloud = cloudOf(twoRooms().points);
-  const auto count = [&](const std::function<void(Segmentation&)>& set) {
-    Segmentation segmentation;
+  const auto count = [&](const std::function<void(RoomSegmentationXYZ&)>& set) {
+    RoomSegmentationXYZ segmentation;
     segmentation.setInputCloud(cloud);
     set(segmentation);
     Labels labels;
@@ -314,9 +314,9 @@ TEST(RoomSegmentation, TheParametersHaveAnEffect)
 
 template <typename PointT>
 class RoomSegmentationOfType : public testing::Test {};
-using PointTypes = testing::
+using RoomPointTypes = testing::
     Types<pcl::PointXYZ, pcl::PointXYZRGB, pcl::PointXYZRGBA, pcl::PointNormal>;
-TYPED_TEST_SUITE(RoomSegmentationOfType, PointTypes);
+TYPED_TEST_SUITE(RoomSegmentationOfType, RoomPointTypes);
 
 TYPED_TEST(RoomSegmentationOfType, IsInstantiated)
 {

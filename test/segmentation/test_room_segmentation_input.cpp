@@ -21,7 +21,7 @@ using namespace pcl::indoor::test;
 namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
-using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
+using RoomSegmentationXYZ = pcl::RoomSegmentation<pcl::PointXYZ>;
 
 class QuietInput : public testing::Test {
 protected:
@@ -38,10 +38,10 @@ protected:
   }
 };
 
-Segmentation
+RoomSegmentationXYZ
 segmentation(const Points& points, Labels& labels, double metres_per_unit = 1.0)
 {
-  Segmentation result;
+  RoomSegmentationXYZ result;
   result.setInputCloud(cloudOf(points));
   result.setMetresPerUnit(metres_per_unit);
   result.segment(labels);
@@ -125,7 +125,7 @@ TEST_F(QuietInput, AUnitThatIsNotSetIsFoundAndSaidOnce)
                                                   {0.0254, "inches"}};
   for (const auto& [unit, name] : units) {
     Labels labels;
-    Segmentation result;
+    RoomSegmentationXYZ result;
     result.setInputCloud(cloudOf(scaled(points, 1.0 / unit)));
     result.segment(labels);
     const auto& report = result.getReport();
@@ -183,7 +183,7 @@ TEST_F(QuietInput, AnEmptyBuildingUpsideDownIsTurnedByItsDoorsAndSaidOnce)
         0.01);
   }
 
-  Segmentation set; // is never overruled
+  RoomSegmentationXYZ set; // is never overruled
   set.setInputCloud(cloudOf(hanging));
   set.setUpAxis(Eigen::Vector3f::UnitZ());
   set.segment(as_set);
@@ -197,7 +197,7 @@ TEST_F(QuietInput, WhereNothingTellsWhichEndIsUpTheFinderIsAsked)
   const auto points = emptyRoom({0.0f, 0.0f, 0.0f});
   for (const int end : {1, 0, -1}) {
     std::size_t asked = 0;
-    Segmentation rooms;
+    RoomSegmentationXYZ rooms;
     rooms.setInputCloud(cloudOf(points));
     rooms.setEndFinder([&](const Points& upright) {
       asked += upright.size() == points.size();
@@ -226,16 +226,16 @@ TEST_F(QuietInput, TheFinderIsNotAskedWherePassagesOrTheUserTell)
     ADD_FAILURE() << "asked";
     return 0;
   };
-  Segmentation set;
+  RoomSegmentationXYZ set;
   set.setInputCloud(cloudOf(emptyRoom({0.0f, 0.0f, 0.0f})));
   set.setUpAxis(Eigen::Vector3f::UnitZ());
   set.setEndFinder(never);
   set.segment(labels);
-  Segmentation with_doors;
+  RoomSegmentationXYZ with_doors;
   with_doors.setEndFinder(never);
   with_doors.setInputCloud(cloudOf(bentCorridorWithThreeRooms().points));
   with_doors.segment(labels);
-  Segmentation stopped;
+  RoomSegmentationXYZ stopped;
   stopped.setEndFinder(never);
   stopped.setInputCloud(cloudOf(emptyRoom({0.0f, 0.0f, 0.0f})));
   stopped.setProgressCallback([](double share, const char*) { return share < 0.1; });
@@ -244,7 +244,7 @@ TEST_F(QuietInput, TheFinderIsNotAskedWherePassagesOrTheUserTell)
 
 TEST_F(QuietInput, TurningAScanGoesOnWithItsProgressAndCanBeStopped)
 {
-  Segmentation rooms;
+  RoomSegmentationXYZ rooms;
   rooms.setInputCloud(cloudOf(upsideDown(bentCorridorWithThreeRooms().points)));
   std::vector<double> shares;
   std::size_t most = 1000;
@@ -271,7 +271,7 @@ TEST_F(QuietInput, CoordinatesThatWereFoundBeforeAreTakenUntilAnotherIsSet)
   pcl::indoor::ScanCoordinates found;
   found.up_axis = Eigen::Vector3f::UnitX();
   found.metres_per_unit = 0.5;
-  Segmentation rooms;
+  RoomSegmentationXYZ rooms;
   rooms.setInputCloud(cloudOf(twoRooms().points));
   rooms.setCoordinates(found);
   Labels labels;
@@ -378,7 +378,7 @@ TEST_F(QuietInput, AVoxelSizeThatIsGivenHolds)
 {
   const auto sparse = twoRooms(0.005f, 0.16f);
   Labels labels;
-  Segmentation fixed;
+  RoomSegmentationXYZ fixed;
   fixed.setVoxelSize(0.1);
   fixed.setInputCloud(cloudOf(sparse.points));
   fixed.segment(labels);

@@ -13,16 +13,16 @@
 #include <string>
 
 using namespace pcl::indoor::test;
-using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
+using RoomSegmentationXYZ = pcl::RoomSegmentation<pcl::PointXYZ>;
 
 namespace {
 
-Segmentation
-segmentation(const std::vector<Eigen::Vector3f>& points,
-             Labels& labels,
-             const Eigen::Vector3f& up = Eigen::Vector3f::UnitZ())
+RoomSegmentationXYZ
+segmentationAlong(const std::vector<Eigen::Vector3f>& points,
+                  Labels& labels,
+                  const Eigen::Vector3f& up = Eigen::Vector3f::UnitZ())
 {
-  Segmentation result;
+  RoomSegmentationXYZ result;
   result.setInputCloud(cloudOf(points));
   result.setUpAxis(up);
   result.segment(labels);
@@ -55,7 +55,7 @@ turnTo(const Eigen::Vector3f& up)
 TEST(RoomSegmentationLayout, TheDoorIsAnOpening)
 {
   Labels labels;
-  const auto result = segmentation(twoRooms().points, labels);
+  const auto result = segmentationAlong(twoRooms().points, labels);
   const auto door = doorOfTwoRooms();
   ASSERT_EQ(result.getOpenings().size(), 1u);
   const auto& opening = result.getOpenings()[0];
@@ -73,7 +73,7 @@ TEST(RoomSegmentationLayout, TheDoorIsAnOpening)
 TEST(RoomSegmentationLayout, ARectangularRoomHasFourCorners)
 {
   Labels labels;
-  const auto result = segmentation(twoRooms().points, labels);
+  const auto result = segmentationAlong(twoRooms().points, labels);
   ASSERT_EQ(result.getRooms().size(), 2u);
   for (const auto& room : result.getRooms()) {
     ASSERT_EQ(room.footprint.size(), 1u);
@@ -94,7 +94,7 @@ TEST(RoomSegmentationLayout, AnyAxisMayPointUp)
 {
   const auto points = bentCorridorWithThreeRooms().points;
   Labels labels;
-  const auto upright = segmentation(points, labels);
+  const auto upright = segmentationAlong(points, labels);
   ASSERT_EQ(roomCount(labels), 4u);
   ASSERT_EQ(upright.getOpenings().size(), bentCorridorDoors().size());
   for (int axis = 0; axis < 3; ++axis)
@@ -106,7 +106,7 @@ TEST(RoomSegmentationLayout, AnyAxisMayPointUp)
       for (const auto& point : points)
         lying.push_back(turn * point);
       Labels lying_labels;
-      const auto result = segmentation(lying, lying_labels, 3.0f * up);
+      const auto result = segmentationAlong(lying, lying_labels, 3.0f * up);
       EXPECT_EQ(lying_labels, labels);
       ASSERT_EQ(result.getOpenings().size(), upright.getOpenings().size());
       for (std::size_t i = 0; i < upright.getOpenings().size(); ++i) {
@@ -142,7 +142,7 @@ TEST(RoomSegmentationLayout, ADirectionBetweenTheAxesMayPointUp)
   for (const auto& point : scene.points)
     lying.push_back(turn * point);
   Labels labels;
-  const auto result = segmentation(lying, labels, turn.col(2));
+  const auto result = segmentationAlong(lying, labels, turn.col(2));
   EXPECT_EQ(roomCount(labels), 2u);
   // where walls meet, the map's pixels decide, as for a turned building
   EXPECT_LT(wrongPoints(scene, labels, {doorOfTwoRooms()}), labels.size() / 200);
@@ -155,7 +155,7 @@ TEST(RoomSegmentationLayout, ADirectionBetweenTheAxesMayPointUp)
 
 TEST(RoomSegmentationLayout, ProgressRisesFromZeroToOne)
 {
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloudOf(twoRooms().points));
   std::vector<double> shares;
   segmentation.setProgressCallback([&](double share, const char* stage) {
@@ -178,7 +178,7 @@ TEST(RoomSegmentationLayout, PointsMayBeElsewhereFromTheFirstCallOfProgressToThe
   const auto cloud = cloudOf(twoRooms().points);
   const auto all = cloud->points;
   Labels expected, labels;
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloud);
   segmentation.segment(expected);
   segmentation.setProgressCallback([&](double share, const char*) {
@@ -195,7 +195,7 @@ TEST(RoomSegmentationLayout, PointsMayBeElsewhereFromTheFirstCallOfProgressToThe
 
 TEST(RoomSegmentationLayout, TheBuildingCanBeTakenAndTheRoomsStay)
 {
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloudOf(twoRooms().points));
   Labels labels;
   segmentation.segment(labels);
@@ -211,7 +211,7 @@ TEST(RoomSegmentationLayout, TheBuildingCanBeTakenAndTheRoomsStay)
 
 TEST(RoomSegmentationLayout, WhatIsCancelledLeavesNothingAndCanBeRunAgain)
 {
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloudOf(twoRooms().points));
   Labels all;
   segmentation.segment(all);

@@ -16,7 +16,7 @@ using Points = std::vector<Eigen::Vector3f>;
 
 namespace {
 
-constexpr unsigned trials = 4;
+constexpr unsigned room_trials = 4;
 
 /** A row of two to four rooms of random sizes, doors between them, a box in each. */
 Points
@@ -47,7 +47,7 @@ randomBuilding(unsigned seed)
 }
 
 Labels
-labelsOf(const Points& points)
+roomLabelsOf(const Points& points)
 {
   const auto labels = segmented(cloudOf(points));
   EXPECT_EQ(labels.size(), points.size());
@@ -58,7 +58,7 @@ labelsOf(const Points& points)
 
 TEST(RoomProperties, AnyNumberOfThreadsGivesTheSameLabels)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < room_trials; ++seed) {
     pcl::RoomSegmentation<pcl::PointXYZ> segmentation;
     segmentation.setInputCloud(cloudOf(randomBuilding(seed)));
     Labels one, many;
@@ -75,36 +75,36 @@ TEST(RoomProperties, AnyNumberOfThreadsGivesTheSameLabels)
 
 TEST(RoomProperties, AnotherOrderOfPointsGivesTheSameLabelsUpToNames)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < room_trials; ++seed) {
     const auto points = randomBuilding(seed);
     std::mt19937 rng(seed);
     const auto order = shuffledOrder(points.size(), rng);
-    const auto labels = labelsOf(inOrder(points, order));
+    const auto labels = roomLabelsOf(inOrder(points, order));
     EXPECT_EQ(renamed(backFrom(labels, order, points.size())),
-              renamed(labelsOf(points)))
+              renamed(roomLabelsOf(points)))
         << seed;
   }
 }
 
 TEST(RoomProperties, CopiesOfPointsChangeNoLabel)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < room_trials; ++seed) {
     const auto points = randomBuilding(seed);
     const auto order = withCopies(points.size());
-    const auto labels = labelsOf(inOrder(points, order));
-    EXPECT_EQ(labels, inOrder(labelsOf(points), order)) << seed;
+    const auto labels = roomLabelsOf(inOrder(points, order));
+    EXPECT_EQ(labels, inOrder(roomLabelsOf(points), order)) << seed;
   }
 }
 
 TEST(RoomProperties, BadPointsGetNoLabelAndChangeNoOther)
 {
-  for (unsigned seed = 0; seed < trials; ++seed)
-    expectBadPointsToChangeNoLabel(randomBuilding(seed), seed, labelsOf);
+  for (unsigned seed = 0; seed < room_trials; ++seed)
+    expectBadPointsToChangeNoLabel(randomBuilding(seed), seed, roomLabelsOf);
 }
 
 TEST(RoomProperties, IndicesGiveTheLabelsOfTheirPointsAlone)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < room_trials; ++seed) {
     const auto points = randomBuilding(seed);
     std::mt19937 rng(seed);
     const auto subset = randomSubset(points.size(), rng);
@@ -115,28 +115,29 @@ TEST(RoomProperties, IndicesGiveTheLabelsOfTheirPointsAlone)
     Labels labels;
     segmentation.segment(labels);
     EXPECT_EQ(labels,
-              backFrom(labelsOf(inOrder(points, subset)), subset, points.size()))
+              backFrom(roomLabelsOf(inOrder(points, subset)), subset, points.size()))
         << seed;
   }
 }
 
 TEST(RoomProperties, LargeCoordinatesLoseNoMoreThanTheirFloats)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < room_trials; ++seed) {
     const auto points = onRaster(randomBuilding(seed));
-    EXPECT_EQ(labelsOf(shifted(points, {16384, -8192, 512})), labelsOf(points)) << seed;
+    EXPECT_EQ(roomLabelsOf(shifted(points, {16384, -8192, 512})), roomLabelsOf(points))
+        << seed;
     const UtmPoints utm(points); // rounded to half metres in y
-    EXPECT_EQ(labelsOf(utm.far), labelsOf(utm.near)) << seed;
+    EXPECT_EQ(roomLabelsOf(utm.far), roomLabelsOf(utm.near)) << seed;
   }
 }
 
 TEST(RoomProperties, TurnedAboutTheVerticalTheRoomsAreTheSame)
 {
-  for (unsigned seed = 0; seed < trials; ++seed) {
+  for (unsigned seed = 0; seed < room_trials; ++seed) {
     const auto points = randomBuilding(seed);
-    const auto labels = labelsOf(points);
+    const auto labels = roomLabelsOf(points);
     for (const double degrees : {13.0, 90.0, 211.0}) {
-      const auto other = labelsOf(turned(points, degrees * M_PI / 180));
+      const auto other = roomLabelsOf(turned(points, degrees * M_PI / 180));
       EXPECT_EQ(roomCount(other), roomCount(labels)) << seed << ", " << degrees;
       // Along walls the map's pixels decide: they turn with the building only so far.
       EXPECT_GT(adjustedRandIndex(countOverlaps(labels, other)), 0.97)

@@ -11,7 +11,7 @@
 #include <random>
 
 using namespace pcl::indoor::test;
-using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
+using RoomSegmentationXYZ = pcl::RoomSegmentation<pcl::PointXYZ>;
 
 namespace {
 
@@ -76,7 +76,7 @@ TEST(RoomSegmentation, ABentCorridorIsOneRoomBesideThreeRooms)
 TEST(RoomSegmentation, RoomsAreDescribedAsTheyAre)
 {
   const auto scene = twoRooms();
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloudOf(scene.points));
   Labels labels;
   segmentation.segment(labels);
@@ -126,7 +126,7 @@ TEST(RoomSegmentation, UtmCoordinatesLoseNoMoreThanTheirFloats)
     far.push_back(point + offset);       // y is rounded to half metres here
     near.push_back(far.back() - offset); // exact
   }
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloudOf(far));
   segmentation.setVoxelSize(0.2);
   Labels far_labels, near_labels;
@@ -143,7 +143,7 @@ TEST(RoomSegmentation, RoomsAndOriginAreInTheFrameOfTheInput)
   std::vector<Eigen::Vector3f> moved;
   for (const auto& point : rasteredRooms())
     moved.push_back(point + offset);
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloudOf(moved));
   Labels labels;
   segmentation.segment(labels);
@@ -167,7 +167,7 @@ TEST(RoomSegmentation, WithoutACloudTheFrameIsNotThatOfTheLastOne)
   std::vector<Eigen::Vector3f> moved;
   for (const auto& point : rasteredRooms())
     moved.push_back(point + Eigen::Vector3f(8192, -4096, 512));
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloudOf(moved));
   Labels labels;
   segmentation.segment(labels);
@@ -191,7 +191,7 @@ TEST(RoomSegmentation, AFloorOrAWallAloneDoesNotCrash)
 TEST(RoomSegmentation, AllOutputsAreAlike)
 {
   const auto cloud = cloudOf(twoRooms().points);
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloud);
   Labels labels;
   segmentation.segment(labels);

@@ -16,7 +16,7 @@ using pcl::indoor::ScanStations;
 namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
-using Segmentation = pcl::RoomSegmentation<pcl::PointXYZ>;
+using RoomSegmentationXYZ = pcl::RoomSegmentation<pcl::PointXYZ>;
 
 class Stations : public testing::Test {
 protected:
@@ -40,7 +40,7 @@ protected:
 };
 
 std::size_t
-roomsFound(Segmentation& segmentation)
+roomsFound(RoomSegmentationXYZ& segmentation)
 {
   Labels labels;
   segmentation.segment(labels);
@@ -51,7 +51,7 @@ roomsFound(Segmentation& segmentation)
 
 TEST_F(Stations, TheyTellRoomsThatWereEntered)
 {
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloudOf(points_));
   EXPECT_EQ(roomsFound(segmentation), 2u);
   segmentation.setStations({{in_first_}, {}});
@@ -70,7 +70,7 @@ TEST_F(Stations, TheyAreInTheUnitAndFrameOfTheCloud)
   for (const auto& p : points_)
     lying.emplace_back(1000.0f * p.x(), 1000.0f * p.z(), -1000.0f * p.y()); // y is up
   const Eigen::Vector3d station(1000.0, 1500.0, -1500.0);
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloudOf(lying));
   segmentation.setMetresPerUnit(0.001);
   segmentation.setUpAxis(Eigen::Vector3f::UnitY());
@@ -86,7 +86,7 @@ TEST_F(Stations, IndicesAndCopiesKeepTheirStations)
   ScanStations stations{{in_first_, in_second_}, {}};
   for (const auto& p : twice) // the second is said to be seen from the first
     stations.of_point.push_back(p.x() < 4.05f ? 2 : 1);
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloudOf(twice));
   segmentation.setStations({{in_first_}, std::vector<std::uint32_t>(twice.size(), 1)});
   EXPECT_EQ(roomsFound(segmentation), 1u);
@@ -101,7 +101,7 @@ TEST_F(Stations, IndicesAndCopiesKeepTheirStations)
 
 TEST_F(Stations, AsManyAsPointsOrNone)
 {
-  Segmentation segmentation;
+  RoomSegmentationXYZ segmentation;
   segmentation.setInputCloud(cloudOf(points_));
   segmentation.setStations({{in_first_}, {1, 1}});
   Labels labels{1};

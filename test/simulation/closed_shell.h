@@ -11,7 +11,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace pcl::indoor {
+
+constexpr double radians = M_PI / 180;
+constexpr double rounding = 2e-5; // metres, of coordinates of some metres in float
 
 inline Building
 buildText(const std::string& text)

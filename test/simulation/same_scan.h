@@ -10,7 +10,7 @@
 
 namespace pcl::indoor::test {
 
-/** Are two scans the same bit for bit? */
+/** \brief Whether two scans are the same, byte by byte. */
 inline bool
 same(const SimulatedScan& a, const SimulatedScan& b)
 {

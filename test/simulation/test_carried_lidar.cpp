@@ -33,7 +33,7 @@ hall()
 
 // No errors, no people, and a turn takes no time, so that a frame has one pose.
 CarriedLidarOptions
-perfect(LidarModel model)
+perfectLidar(LidarModel model)
 {
   auto options = lidarOptions(model);
   options.noise = options.drift = options.dropout = 0.0;
@@ -64,7 +64,7 @@ TEST(CarriedLidar, RingsLieOnCones)
   const auto building = hall();
   const std::vector<CarriedPath> paths{straightOn()};
   for (const auto model : {LidarModel::Spinning, LidarModel::Walk}) {
-    auto options = perfect(model);
+    auto options = perfectLidar(model);
     options.rings = 7;
     options.lowest_ring = -0.3;
     options.highest_ring = 0.6;
@@ -96,10 +96,10 @@ TEST(CarriedLidar, OfTheRobotIsLevelAndOfTheHandIsNot)
   const auto path = straightOn();
   double highest = 0, lowest = 10, most_tilt = 0;
   for (double time = 0; time < path.back().time; time += 0.05) {
-    const auto robot = sensorPose(path, time, perfect(LidarModel::Spinning));
+    const auto robot = sensorPose(path, time, perfectLidar(LidarModel::Spinning));
     EXPECT_LT((robot.translation() - placeAt(path, time).position).norm(), 1e-12);
     EXPECT_NEAR(robot.linear()(2, 2), 1.0, 1e-12);
-    const auto hand = sensorPose(path, time, perfect(LidarModel::Walk));
+    const auto hand = sensorPose(path, time, perfectLidar(LidarModel::Walk));
     const Eigen::Vector3d off = hand.translation() - placeAt(path, time).position;
     EXPECT_LT(off.norm(), 0.25);
     highest = std::max(highest, off.z());
@@ -114,7 +114,7 @@ TEST(CarriedLidar, OfTheRobotIsLevelAndOfTheHandIsNot)
 TEST(CarriedLidar, ARosetteFillsItsFieldAndDoesNotRepeat)
 {
   const auto building = hall();
-  auto options = perfect(LidarModel::SolidState);
+  auto options = perfectLidar(LidarModel::SolidState);
   options.turn_rate = 10; // the pattern goes on with time
   options.rays_per_frame = 2000;
   PathOptions stand;
@@ -157,7 +157,7 @@ TEST(CarriedLidar, DriftIsABridgeThatClosesAtTheEnd)
 {
   const auto building = hall();
   const std::vector<CarriedPath> paths{straightOn()};
-  auto options = perfect(LidarModel::Spinning);
+  auto options = perfectLidar(LidarModel::Spinning);
   options.rings = 1;
   options.lowest_ring = options.highest_ring = 0.0;
   options.steps_per_turn = 4;
@@ -199,7 +199,7 @@ TEST(CarriedLidar, LabelsAreThoseOfTheFirstSurfaceOnTheWay)
   for (const auto model :
        {LidarModel::Spinning, LidarModel::SolidState, LidarModel::Walk}) {
     const auto paths = planPaths(building, pathOptions(model));
-    auto options = perfect(model);
+    auto options = perfectLidar(model);
     options.glass_echo = 1.0; // a pane is a surface like others
     options.steps_per_turn = 60;
     options.rays_per_frame = 1000;
@@ -235,7 +235,7 @@ TEST(CarriedLidar, PeopleLeaveTrails)
   const auto building = hall();
   const auto person = building.category("person");
   const std::vector<CarriedPath> paths{straightOn()};
-  auto options = perfect(LidarModel::Spinning);
+  auto options = perfectLidar(LidarModel::Spinning);
   const auto countPeople = [&](const SimulatedScan& scan) {
     return std::count_if(scan.points.begin(), scan.points.end(), [&](const auto& p) {
       return p.category == person;
@@ -268,7 +268,7 @@ TEST(CarriedLidar, WhoCarriesItHidesWhatIsBehind)
   const auto building = hall();
   const std::vector<CarriedPath> paths{straightOn()};
   for (const auto model : {LidarModel::Spinning, LidarModel::Walk}) {
-    auto options = perfect(model);
+    auto options = perfectLidar(model);
     const auto frames = framesOn(paths, options);
     const auto scan = scanAlong(building, paths, options);
     std::size_t behind = 0;

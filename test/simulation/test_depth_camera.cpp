@@ -28,7 +28,7 @@ const std::string cabinet = R"("furniture": [{"class": "cabinet", "at": [3, 1.5]
 const CameraPose pose{{1, 1.5, 1.2}, {4, 1.5, 1.2}};
 
 DepthCameraOptions
-perfect()
+perfectCamera()
 {
   DepthCameraOptions options;
   options.width = 160;
@@ -48,7 +48,7 @@ sees(const PointXYZScene& point)
 
 TEST(DepthCamera, SeesAWallWhereItIs)
 {
-  const auto view = viewBuilding(boxRoom(), pose, perfect());
+  const auto view = viewBuilding(boxRoom(), pose, perfectCamera());
   ASSERT_EQ(view.width, 160u);
   ASSERT_EQ(view.height, 120u);
   EXPECT_FALSE(view.is_dense);
@@ -79,13 +79,13 @@ TEST(DepthCamera, SeesAWallWhereItIs)
 
 TEST(DepthCamera, NoDepthOutOfRangeAtGrazingAnglesAndWhereTheProjectorIsHidden)
 {
-  auto options = perfect();
+  auto options = perfectCamera();
   options.max_range = 2.9;
   EXPECT_FALSE(sees(viewBuilding(boxRoom(), pose, options).at(80, 60)));
   options.max_range = 5;
   options.min_range = 3.1;
   EXPECT_FALSE(sees(viewBuilding(boxRoom(), pose, options).at(80, 60)));
-  options = perfect();
+  options = perfectCamera();
   options.least_cosine = 0.99; // 8 degrees
   const auto straight = viewBuilding(boxRoom(), pose, options);
   EXPECT_TRUE(sees(straight.at(80, 60)));
@@ -95,7 +95,7 @@ TEST(DepthCamera, NoDepthOutOfRangeAtGrazingAnglesAndWhereTheProjectorIsHidden)
   // strip of the wall has no light, 131 px * 0.075 m * (1 / 1.8 m - 1 / 3 m) = 2.2 px
   // wide.
   const auto building = boxRoom(cabinet);
-  options = perfect();
+  options = perfectCamera();
   const auto shadow = [&](double baseline) {
     options.baseline = baseline;
     const auto view = viewBuilding(building, pose, options);
@@ -113,7 +113,7 @@ TEST(DepthCamera, NoDepthOutOfRangeAtGrazingAnglesAndWhereTheProjectorIsHidden)
 
 TEST(DepthCamera, NoiseIsThatOfTheDisparity)
 {
-  auto options = perfect();
+  auto options = perfectCamera();
   options.noise = 0.5;
   const auto building = boxRoom();
   const auto view = viewBuilding(building, pose, options);
@@ -140,7 +140,7 @@ TEST(DepthCamera, NoiseIsThatOfTheDisparity)
 
 TEST(DepthCamera, TheSameSeedGivesTheSameView)
 {
-  auto options = perfect();
+  auto options = perfectCamera();
   options.noise = 0.1;
   const auto building = boxRoom(cabinet);
   const auto bytes = [&] {
@@ -156,7 +156,8 @@ TEST(DepthCamera, TheSameSeedGivesTheSameView)
 
 TEST(DepthCamera, LooksStraightDown)
 {
-  const auto view = viewBuilding(boxRoom(), {{2, 1.5, 2}, {2, 1.5, 0}}, perfect());
+  const auto view =
+      viewBuilding(boxRoom(), {{2, 1.5, 2}, {2, 1.5, 0}}, perfectCamera());
   EXPECT_NEAR(view.at(80, 60).z, 2, 1e-3);
 }
 
@@ -172,7 +173,7 @@ TEST(DepthCamera, DrawsViewsOfWhatIsThere)
     const double distance = (drawn.target - drawn.position).norm();
     EXPECT_GE(distance, 1);
     EXPECT_LE(distance, 4);
-    EXPECT_EQ(viewBuilding(building, drawn, perfect()).at(80, 60).object, 1u);
+    EXPECT_EQ(viewBuilding(building, drawn, perfectCamera()).at(80, 60).object, 1u);
     EXPECT_EQ(drawCameraPose(building, {}, seed).position, drawn.position);
     places.insert(drawn.position.x());
   }
@@ -184,10 +185,10 @@ TEST(DepthCamera, DrawsViewsOfWhatIsThere)
 TEST(DepthCamera, RefusesWhatItCannotSee)
 {
   const auto building = boxRoom();
-  EXPECT_THROW(viewBuilding(building, {pose.position, pose.position}, perfect()),
+  EXPECT_THROW(viewBuilding(building, {pose.position, pose.position}, perfectCamera()),
                pcl::BadArgumentException);
   const auto refuses = [&](auto change) {
-    auto options = perfect();
+    auto options = perfectCamera();
     change(options);
     EXPECT_THROW(viewBuilding(building, pose, options), pcl::BadArgumentException);
   };

@@ -18,15 +18,16 @@ namespace {
 
 using namespace pcl::indoor;
 
-constexpr float rounding = 1e-5f; // metres, of coordinates of a few metres in float
+constexpr float float_rounding =
+    1e-5f; // metres, of coordinates of a few metres in float
 
 void
 expectInside(const FurnitureModel& model, const std::string& what)
 {
-  const Eigen::Vector3f upper(static_cast<float>(model.size.x() / 2) + rounding,
-                              static_cast<float>(model.size.y() / 2) + rounding,
-                              static_cast<float>(model.size.z()) + rounding);
-  const Eigen::Vector3f lower(-upper.x(), -upper.y(), -rounding);
+  const Eigen::Vector3f upper(static_cast<float>(model.size.x() / 2) + float_rounding,
+                              static_cast<float>(model.size.y() / 2) + float_rounding,
+                              static_cast<float>(model.size.z()) + float_rounding);
+  const Eigen::Vector3f lower(-upper.x(), -upper.y(), -float_rounding);
   const Eigen::AlignedBox3f box(lower, upper);
   for (const auto& part : model.parts)
     for (const auto& t : part.triangles)

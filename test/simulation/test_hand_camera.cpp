@@ -21,7 +21,7 @@ using namespace pcl::indoor;
 
 // A cabinet stands on the floor before the far wall, a window is in the left one.
 Building
-room()
+roomWithCabinet()
 {
   return test::boxRoom(
       R"("windows": [{"at": [2, 3.1], "width": 1.2, "sill": 0.9, "height": 1.2}],
@@ -40,7 +40,7 @@ quick()
 }
 
 HandCameraOptions
-perfect(HandCameraOptions options = quick())
+perfectHandCamera(HandCameraOptions options = quick())
 {
   options.noise = options.drift = 0;
   options.camera.step = 1e-7;
@@ -93,8 +93,8 @@ bytes(const SimulatedScan& scan)
 
 TEST(HandCamera, APerfectCameraFindsSurfacesWhereTheyAreWithTheirLabels)
 {
-  const auto building = room();
-  auto options = perfect(HandCameraOptions());
+  const auto building = roomWithCabinet();
+  auto options = perfectHandCamera(HandCameraOptions());
   options.most_points = 5000;
   const auto scan = captureRoom(building, 1, options);
   ASSERT_EQ(scan.points.size(), 5000u);
@@ -112,7 +112,7 @@ TEST(HandCamera, APerfectCameraFindsSurfacesWhereTheyAreWithTheirLabels)
 
 TEST(HandCamera, SeesObjectsAndFloorsButHardlyCeilingsAndNothingBehindObjects)
 {
-  const auto building = room();
+  const auto building = roomWithCabinet();
   std::map<std::string, int> counts;
   int behind = 0;
   const auto scan = captureRoom(building, 1, HandCameraOptions());
@@ -135,7 +135,7 @@ TEST(HandCamera, SeesObjectsAndFloorsButHardlyCeilingsAndNothingBehindObjects)
 double
 roughness(const HandCameraOptions& options)
 {
-  const auto building = room();
+  const auto building = roomWithCabinet();
   const auto floor = building.category("floor");
   double squares = 0, count = 0;
   for (const auto& point : captureRoom(building, 1, options).points)
@@ -148,27 +148,27 @@ roughness(const HandCameraOptions& options)
 
 TEST(HandCamera, NoiseAndDriftMakeSurfacesRough)
 {
-  const double smooth = roughness(perfect());
+  const double smooth = roughness(perfectHandCamera());
   EXPECT_LT(smooth, 0.003);
-  auto options = perfect();
+  auto options = perfectHandCamera();
   options.noise = 0.01;
   EXPECT_GT(roughness(options), smooth + 0.002);
-  options = perfect();
+  options = perfectHandCamera();
   options.drift = 0.02;
   EXPECT_GT(roughness(options), smooth + 0.004);
 }
 
 TEST(HandCamera, DarkPartsAreMissing)
 {
-  auto options = perfect();
+  auto options = perfectHandCamera();
   options.camera.dark = 1;
-  for (const auto& point : captureRoom(room(), 1, options).points)
+  for (const auto& point : captureRoom(roomWithCabinet(), 1, options).points)
     ASSERT_EQ(point.part, 0u);
 }
 
 TEST(HandCamera, IsTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed)
 {
-  const auto building = room();
+  const auto building = roomWithCabinet();
   auto options = quick();
   options.threads = 1;
   const auto one = bytes(captureRoom(building, 1, options));
@@ -180,7 +180,7 @@ TEST(HandCamera, IsTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed)
 
 TEST(HandCamera, RefusesWhatIsOutOfRange)
 {
-  const auto building = room();
+  const auto building = roomWithCabinet();
   EXPECT_THROW(captureRoom(building, 0, {}), pcl::BadArgumentException);
   EXPECT_THROW(captureRoom(building, 2, {}), pcl::BadArgumentException);
   const auto refuses = [&](auto change) {

@@ -13,9 +13,6 @@ namespace {
 
 using namespace pcl::indoor;
 
-constexpr double radians = M_PI / 180;
-constexpr double rounding = 2e-5; // metres, of coordinates of some metres in float
-
 // Inner faces: west 0 ... 4, east 4.2 ... 9.2, both 0 ... 3 and 0 ... 2.5 m high.
 std::string
 twoRooms(const std::string& lean, const std::string& openings = "")

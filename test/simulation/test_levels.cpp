@@ -14,13 +14,11 @@ namespace {
 
 using namespace pcl::indoor;
 
-constexpr double radians = M_PI / 180;
-constexpr double rounding = 2e-5; // metres, of coordinates of some metres in float
 const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
 
 // One room, 0 ... 8 and 0 ... 6 m between its walls.
 std::string
-room(const std::string& keys, const std::string& more = "")
+roomPlan(const std::string& keys, const std::string& more = "")
 {
   return R"({"name": "", "wall_thickness": 0.2, "storeys": [
     {"name": "", "elevation": 0, "ceiling_height": 3.0, "rooms": [{"name": "room",
@@ -53,8 +51,8 @@ TEST(Roof, AGableComesDownToTheFloor)
   const double t = std::tan(40 * radians);
   for (const double knee : {0.0, 0.4, 1.0}) {
     const auto building =
-        buildText(room(R"(, "ceiling": {"ridge": [[0, 3], [8, 3]], "height": )" +
-                       std::to_string(knee + 3 * t + 1e-6) + R"(, "pitch": 40})"));
+        buildText(roomPlan(R"(, "ceiling": {"ridge": [[0, 3], [8, 3]], "height": )" +
+                           std::to_string(knee + 3 * t + 1e-6) + R"(, "pitch": 40})"));
     expectCeiling(building, [&](const Eigen::Vector2d& p) {
       return building.rooms[0].ceiling.planes[0].height - t * std::abs(p.y() - 3);
     });
@@ -65,8 +63,8 @@ TEST(Roof, AGableComesDownToTheFloor)
 TEST(Roof, TheLowestOfSeveralPlanesCounts)
 {
   // A mono-pitch roof with a level ceiling below its upper part.
-  const auto building = buildText(
-      room(R"(, "ceiling": [{"height": 0.2, "at": [0, 0], "slope": [0.6, 0]}, 2.6])"));
+  const auto building = buildText(roomPlan(
+      R"(, "ceiling": [{"height": 0.2, "at": [0, 0], "slope": [0.6, 0]}, 2.6])"));
   expectCeiling(building, [](const Eigen::Vector2d& p) {
     return std::min(2.6, 0.2 + 0.6 * p.x());
   });
@@ -93,7 +91,7 @@ TEST(Roof, ADividingWallReachesUpToIt)
 
 TEST(Vault, IsRoundToTheWidthOfItsFacets)
 {
-  const auto building = buildText(room(
+  const auto building = buildText(roomPlan(
       R"(, "ceiling": {"vault": [[0, 3], [8, 3]], "height": 4.5, "radius": 3.3})"));
   const Prober probe(building);
   const double flat =
@@ -116,7 +114,7 @@ TEST(Vault, IsRoundToTheWidthOfItsFacets)
 
 TEST(CeilingParts, StepUpAndDown)
 {
-  const auto building = buildText(room(R"(, "ceiling_parts": [
+  const auto building = buildText(roomPlan(R"(, "ceiling_parts": [
     {"polygon": [[-1, -1], [2, -1], [2, 7], [-1, 7]], "ceiling": 2.4},
     {"polygon": [[2, 1], [5, 1], [5, 4], [2, 4]], "ceiling": 3.6},
     {"polygon": [[5, 2], [7, 1], [7, 5]], "ceiling": 2.0}])"));
@@ -159,9 +157,9 @@ TEST(CeilingParts, RandomRoomsAreClosed)
              corner(x + 2, 5.8) + "," + corner(x, 5.8) + R"(], "ceiling": [)" +
              plane() + "," + plane() + "]}";
     };
-    const auto building =
-        buildText(room(R"(, "ceiling": [)" + plane() + "," + plane() +
-                       R"(], "ceiling_parts": [)" + part(0.5) + "," + part(5) + "]"));
+    const auto building = buildText(roomPlan(R"(, "ceiling": [)" + plane() + "," +
+                                             plane() + R"(], "ceiling_parts": [)" +
+                                             part(0.5) + "," + part(5) + "]"));
     const Prober probe(building);
     for (int i = 0; i < 100; ++i) {
       const Eigen::Vector2d at(draw.uniform(0.01, 7.99), draw.uniform(0.01, 5.99));
@@ -246,7 +244,7 @@ TEST(HalfTurnStairs, ClimbOnTheRightAndEndOnTheLeft)
 
 TEST(Platforms, RampsAndSlabsLieAtTheirHeight)
 {
-  const auto building = buildText(room("", R"(, "platforms": [
+  const auto building = buildText(roomPlan("", R"(, "platforms": [
     {"polygon": [[1, 1], [6, 1], [6, 2.5], [1, 2.5]],
      "height": {"height": 0, "at": [1, 1], "slope": [0.2, 0]}},
     {"polygon": [[2, 4], [8, 4], [8, 6], [2, 6]], "height": 1.0, "thickness": 0.25}])"));

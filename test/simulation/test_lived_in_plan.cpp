@@ -24,8 +24,8 @@ namespace {
 using namespace pcl::indoor;
 using pcl::indoor::test::footprintOf;
 
-constexpr std::uint32_t seeds = 8;
-constexpr PlanKind kinds[] = {PlanKind::Home, PlanKind::Office};
+constexpr std::uint32_t lived_in_seeds = 8;
+constexpr PlanKind lived_in_kinds[] = {PlanKind::Home, PlanKind::Office};
 
 std::size_t
 countFurniture(const Plan& plan)
@@ -39,8 +39,8 @@ countFurniture(const Plan& plan)
 // Rooms, doors and windows are those of the plain plan; the furniture is another.
 TEST(LivedInPlan, RoomsAreThoseOfThePlainPlan)
 {
-  for (const auto kind : kinds)
-    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+  for (const auto kind : lived_in_kinds)
+    for (std::uint32_t seed = 0; seed < lived_in_seeds; ++seed) {
       const auto plain = randomPlan(seed, kind),
                  lived_in = randomPlan(seed, kind, PlanFilling::LivedIn);
       ASSERT_EQ(plain.storeys.size(), lived_in.storeys.size());
@@ -59,7 +59,7 @@ TEST(LivedInPlan, RoomsAreThoseOfThePlainPlan)
 
 TEST(LivedInPlan, TheSameSeedGivesTheSameBuilding)
 {
-  for (const auto kind : kinds) {
+  for (const auto kind : lived_in_kinds) {
     const auto a = buildBuilding(randomPlan(3, kind, PlanFilling::LivedIn));
     const auto b = buildBuilding(randomPlan(3, kind, PlanFilling::LivedIn));
     ASSERT_EQ(a.triangles.size(), b.triangles.size());
@@ -73,8 +73,8 @@ TEST(LivedInPlan, TheSameSeedGivesTheSameBuilding)
 TEST(LivedInPlan, ObjectsStandInEachOtherOrApart)
 {
   const double tolerance = 0.002; // metres
-  for (const auto kind : kinds)
-    for (std::uint32_t seed = 0; seed < seeds; ++seed)
+  for (const auto kind : lived_in_kinds)
+    for (std::uint32_t seed = 0; seed < lived_in_seeds; ++seed)
       for (const auto& storey : randomPlan(seed, kind, PlanFilling::LivedIn).storeys)
         for (std::size_t i = 0; i < storey.furniture.size(); ++i)
           for (std::size_t k = i + 1; k < storey.furniture.size(); ++k) {
@@ -120,7 +120,7 @@ TEST(LivedInPlan, SmallObjectsDoNotFloat)
                                          "shoes",
                                          "toy"};
   std::size_t floating = 0, all = 0;
-  for (const auto kind : kinds)
+  for (const auto kind : lived_in_kinds)
     for (std::uint32_t seed = 0; seed < few; ++seed) {
       const auto building = buildBuilding(randomPlan(seed, kind, PlanFilling::LivedIn));
       for (std::size_t o = 0; o < building.objects.size(); ++o) {
@@ -146,7 +146,7 @@ TEST(LivedInPlan, ScansShowBelongings)
   RangeSensorOptions sensor;
   sensor.rays_per_pose = 4000;
   std::set<std::string> seen;
-  for (const auto kind : kinds)
+  for (const auto kind : lived_in_kinds)
     for (std::uint32_t seed = 0; seed < 3; ++seed) {
       const auto building = buildBuilding(randomPlan(seed, kind, PlanFilling::LivedIn));
       const auto scan =

@@ -6,8 +6,8 @@
 // file that it writes.
 #include "files/cloud_file.h"
 #include "pictures/svg_raster.h"
-#include "support/count.h"
 #include "support/folder_test.h"
+#include "support/occurrences.h"
 #include "support/run_tool.h"
 
 #include <pcl/conversions.h>
@@ -25,7 +25,7 @@ using namespace pcl::indoor::tool;
 namespace {
 
 using pcl::indoor::test::bytesOf;
-using pcl::indoor::test::count;
+using pcl::indoor::test::occurrences;
 
 /** The flat: a living room of 4.8 x 3.8 m, a bedroom of 3.3 x 3.8 m, a hallway of
  * 8.3 x 1.6 m between the walls' faces; the hallway has a door to each. */
@@ -139,12 +139,12 @@ TEST_F(RoomResults, MapsShowRoomsDoorsAndScale)
   const auto svg = bytesOf(path("m_rooms.svg"));
   EXPECT_EQ(svg.substr(0, 4), "<svg");
   EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
-  EXPECT_EQ(count(svg, "<g id=\"storey-"), 1u);
-  EXPECT_EQ(count(svg, "<path id=\"room-"), 3u);
-  EXPECT_EQ(count(svg, "class=\"door\""), 2u);
-  EXPECT_EQ(count(svg, " m²</text>"), 3u);
-  EXPECT_EQ(count(svg, "class=\"walls\""), 1u);
-  EXPECT_EQ(count(svg, "id=\"scale\""), 1u);
+  EXPECT_EQ(occurrences(svg, "<g id=\"storey-"), 1u);
+  EXPECT_EQ(occurrences(svg, "<path id=\"room-"), 3u);
+  EXPECT_EQ(occurrences(svg, "class=\"door\""), 2u);
+  EXPECT_EQ(occurrences(svg, " m²</text>"), 3u);
+  EXPECT_EQ(occurrences(svg, "class=\"walls\""), 1u);
+  EXPECT_EQ(occurrences(svg, "id=\"scale\""), 1u);
 }
 
 TEST_F(RoomResults, AnyAxisMayPointUp)
@@ -176,13 +176,14 @@ TEST_F(RoomResults, UnitsAreNamedAndTaken)
   saveCloud(path("mm.pcd"), bytes);
   const auto out = " " + path("out.pcd") + " -json " + path("r.json");
   ASSERT_EQ(run("pcl_room_segmentation", path("mm.pcd") + out + " -unit m"), 0);
-  EXPECT_EQ(count(bytesOf(path("said")), "\n"), 2u) << bytesOf(path("said"));
-  EXPECT_EQ(count(bytesOf(path("said")), "probably in millimetres"), 1u);
-  EXPECT_EQ(count(bytesOf(path("said")), "no room was found"), 1u);
+  EXPECT_EQ(occurrences(bytesOf(path("said")), "\n"), 2u) << bytesOf(path("said"));
+  EXPECT_EQ(occurrences(bytesOf(path("said")), "probably in millimetres"), 1u);
+  EXPECT_EQ(occurrences(bytesOf(path("said")), "no room was found"), 1u);
   const auto wrong = nlohmann::json::parse(bytesOf(path("r.json")));
   EXPECT_EQ(wrong["warnings"].size(), 2u);
   ASSERT_EQ(run("pcl_room_segmentation", path("mm.pcd") + out), 0);
-  EXPECT_EQ(count(bytesOf(path("said")), "millimetres"), 1u) << bytesOf(path("said"));
+  EXPECT_EQ(occurrences(bytesOf(path("said")), "millimetres"), 1u)
+      << bytesOf(path("said"));
   const auto found = nlohmann::json::parse(bytesOf(path("r.json")));
   EXPECT_EQ(found["coordinate_unit"], "mm");
   EXPECT_EQ(found["rooms"].size(), 3u);
@@ -271,8 +272,8 @@ TEST_F(RoomResults, CoarseFloatsAreWarnedOf)
   pcl::toPCLPointCloud2(cloud, bytes);
   saveCloud(path("utm.pcd"), bytes);
   ASSERT_EQ(run("pcl_room_segmentation", path("utm.pcd") + " " + path("out.pcd")), 0);
-  EXPECT_EQ(count(bytesOf(path("said")), "\n"), 2u) << bytesOf(path("said"));
-  EXPECT_EQ(count(bytesOf(path("said")), "steps of 0.5 m"), 1u);
-  EXPECT_EQ(count(bytesOf(path("said")), "Walls were seen on only"), 1u);
-  EXPECT_EQ(count(bytesOf(path("said")), "no room was found"), 0u);
+  EXPECT_EQ(occurrences(bytesOf(path("said")), "\n"), 2u) << bytesOf(path("said"));
+  EXPECT_EQ(occurrences(bytesOf(path("said")), "steps of 0.5 m"), 1u);
+  EXPECT_EQ(occurrences(bytesOf(path("said")), "Walls were seen on only"), 1u);
+  EXPECT_EQ(occurrences(bytesOf(path("said")), "no room was found"), 0u);
 }

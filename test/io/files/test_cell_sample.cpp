@@ -27,7 +27,7 @@ cellOf(const Eigen::Vector3f& point, double size)
 }
 
 std::vector<Eigen::Vector3f>
-randomPoints(std::size_t count, std::uint32_t seed)
+pointsWithinTwoMetres(std::size_t count, std::uint32_t seed)
 {
   std::mt19937 random(seed);
   const auto place = [&random] {
@@ -52,9 +52,9 @@ listOf(const AscendingNumbers& numbers)
 
 /** A part of them, and one point that is not finite at its end. */
 pcl::PointCloud<pcl::PointXYZ>
-cloudOf(const std::vector<Eigen::Vector3f>& points,
-        std::size_t begin = 0,
-        std::size_t end = -1)
+cloudOfPart(const std::vector<Eigen::Vector3f>& points,
+            std::size_t begin = 0,
+            std::size_t end = -1)
 {
   pcl::PointCloud<pcl::PointXYZ> cloud;
   for (std::size_t i = begin; i < std::min(points.size(), end); ++i)
@@ -70,7 +70,7 @@ expectFound(const std::vector<Eigen::Vector3f>& points,
             CellSample& sample)
 {
   const auto indices = listOf(sample.indices());
-  const auto found = sample.find(cloudOf(points));
+  const auto found = sample.find(cloudOfPart(points));
   ASSERT_EQ(found.size(), points.size() + 1);
   EXPECT_EQ(found.back(), CellSample::absent); // not finite
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -89,7 +89,7 @@ expectFirstPoints(const std::vector<Eigen::Vector3f>& points,
 {
   CellSample sample(first_size, limit);
   for (std::size_t begin = 0; begin < points.size(); begin += 700)
-    sample.add(cloudOf(points, begin, begin + 700), begin);
+    sample.add(cloudOfPart(points, begin, begin + 700), begin);
   ASSERT_EQ(sample.cellSize(), expected_size);
   std::map<Cell, std::size_t> first;
   std::vector<std::uint64_t> indices;
@@ -109,12 +109,13 @@ expectFirstPoints(const std::vector<Eigen::Vector3f>& points,
 TEST(CellSample, KeepsTheFirstPointOfEachCell)
 {
   for (std::uint32_t seed = 0; seed < 5; ++seed)
-    expectFirstPoints(randomPoints(20000, seed), 0.25, 1000000, 0.25); // 4096 cells
+    expectFirstPoints(
+        pointsWithinTwoMetres(20000, seed), 0.25, 1000000, 0.25); // 4096 cells
 }
 
 TEST(CellSample, CellsGrowWhereThereAreTooMany)
 {
-  const auto points = randomPoints(20000, 7);
+  const auto points = pointsWithinTwoMetres(20000, 7);
   expectFirstPoints(points, 0.25, 4000, 0.5);
   expectFirstPoints(points, 0.25, 511, 1.0);
   expectFirstPoints(points, 0.25, 10, 1.0); // no farther
@@ -123,15 +124,16 @@ TEST(CellSample, CellsGrowWhereThereAreTooMany)
 TEST(CellSample, PointsFarAwayShareCells)
 {
   CellSample sample(0.01, 100);
-  sample.add(cloudOf({{1e9f, 0, 0}, {9e8f, 0, 0}, {-1e9f, 0, 0}, {0, 0, 0}}), 0);
+  sample.add(cloudOfPart({{1e9f, 0, 0}, {9e8f, 0, 0}, {-1e9f, 0, 0}, {0, 0, 0}}), 0);
   EXPECT_EQ(listOf(sample.indices()), (std::vector<std::uint64_t>{0, 2, 3}));
-  EXPECT_EQ(sample.find(cloudOf({{9e8f, 0, 0}, {1, 0, 0}})),
+  EXPECT_EQ(sample.find(cloudOfPart({{9e8f, 0, 0}, {1, 0, 0}})),
             (std::vector<std::uint32_t>{0, CellSample::absent, CellSample::absent}));
 }
 
 TEST(CellSample, CellsBelowZeroAreNotThoseAbove)
 {
   CellSample sample(0.5, 100);
-  sample.add(cloudOf({{-0.1f, 0, 0}, {0.1f, 0, 0}, {-0.5f, 0, 0}, {-0.6f, 0, 0}}), 7);
+  sample.add(cloudOfPart({{-0.1f, 0, 0}, {0.1f, 0, 0}, {-0.5f, 0, 0}, {-0.6f, 0, 0}}),
+             7);
   EXPECT_EQ(listOf(sample.indices()), (std::vector<std::uint64_t>{7, 8, 10}));
 }

@@ -27,7 +27,9 @@ using Points = std::vector<Eigen::Vector3d>;
 
 /** A cloud with coordinates of one type, and more fields of a byte and of a float. */
 pcl::PCLPointCloud2
-cloudOf(const Points& points, std::uint8_t real, const std::vector<std::string>& more)
+cloudWithFields(const Points& points,
+                std::uint8_t real,
+                const std::vector<std::string>& more)
 {
   pcl::PCLPointCloud2 cloud;
   const bool is_double = real == pcl::PCLPointField::FLOAT64;
@@ -92,8 +94,8 @@ threeScans(const std::vector<Points>& points,
 {
   std::vector<std::unique_ptr<CloudStream>> scans;
   for (std::size_t s = 0; s < points.size(); ++s)
-    scans.push_back(
-        streamInMemory(cloudOf(points[s], types[s], {"label"}), frameAt(offsets[s])));
+    scans.push_back(streamInMemory(cloudWithFields(points[s], types[s], {"label"}),
+                                   frameAt(offsets[s])));
   return scans;
 }
 
@@ -157,9 +159,9 @@ TEST(JoinedClouds, FieldsThatNotAllHaveAreLeftOutAndNamed)
   std::vector<std::unique_ptr<CloudStream>> scans;
   const auto points = randomPoints(3, 7);
   scans.push_back(streamInMemory(
-      cloudOf(points, float32, {"label", "station", "class"}), CloudPose()));
-  scans.push_back(
-      streamInMemory(cloudOf(points, float32, {"return", "label"}), CloudPose()));
+      cloudWithFields(points, float32, {"label", "station", "class"}), CloudPose()));
+  scans.push_back(streamInMemory(cloudWithFields(points, float32, {"return", "label"}),
+                                 CloudPose()));
   const auto joined = joinedStream(std::move(scans), {"a", "b"});
   EXPECT_EQ(joined->notes(),
             (std::vector<std::string>{
@@ -177,11 +179,12 @@ TEST(JoinedClouds, StationsOfAScanKeepTheirNamesAndPlaces)
   seen.origin = {1, 2, 3, 0};
   seen.offset = {691000, 0, 0};
   std::vector<std::unique_ptr<CloudStream>> two;
-  two.push_back(streamInMemory(cloudOf(randomPoints(2, 8), float32, {}), seen));
-  two.push_back(streamInMemory(cloudOf(randomPoints(1, 9), float32, {}), CloudPose()));
+  two.push_back(streamInMemory(cloudWithFields(randomPoints(2, 8), float32, {}), seen));
+  two.push_back(
+      streamInMemory(cloudWithFields(randomPoints(1, 9), float32, {}), CloudPose()));
   std::vector<std::unique_ptr<CloudStream>> scans;
   scans.push_back(
-      streamInMemory(cloudOf(randomPoints(1, 7), float64, {}), CloudPose()));
+      streamInMemory(cloudWithFields(randomPoints(1, 7), float64, {}), CloudPose()));
   scans.push_back(joinedStream(std::move(two), {"hall", "yard"}));
   const auto joined = joinedStream(std::move(scans), {"a.las", "b.e57"});
   const auto file = withPoints("all", joined->read(0, 4), joined->pose());

@@ -13,23 +13,19 @@
 
 #include <gtest/gtest.h>
 
+#include "io/formats/put_value.h"
+
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <vector>
 
 using namespace pcl::indoor::tool;
+using pcl::indoor::test::put;
 
 namespace {
 
 class LasFiles : public pcl::indoor::test::FolderTest {};
-
-template <typename T>
-void
-put(std::string& bytes, std::size_t at, T value)
-{
-  std::memcpy(&bytes[at], &value, sizeof(value));
-}
 
 /** A LAS file of three points at 691234 + i, 5334567 - 2 i, 0.25 i metres. */
 struct LasMaker {

@@ -16,6 +16,8 @@
 
 #include <gtest/gtest.h>
 
+#include "io/formats/put_value.h"
+
 #include <sys/resource.h>
 
 #include <cstring>
@@ -24,6 +26,7 @@
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
+using pcl::indoor::test::put;
 
 namespace {
 
@@ -79,13 +82,6 @@ lasFile(std::string header, const std::string& records)
   std::memcpy(&header[96], &begin, sizeof(begin));
   std::memcpy(&header[100], &none, sizeof(none)); // records of variable length
   return header + records;
-}
-
-template <typename T>
-void
-put(std::string& bytes, std::size_t at, T value)
-{
-  std::memcpy(&bytes[at], &value, sizeof(value));
 }
 
 std::uint64_t

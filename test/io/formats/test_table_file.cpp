@@ -64,7 +64,7 @@ notesOf(const CloudFile& file)
 
 template <typename T>
 std::vector<T>
-valuesOf(const CloudFile& file, const std::string& name)
+columnValues(const CloudFile& file, const std::string& name)
 {
   const auto& field =
       file.cloud.fields.at(static_cast<std::size_t>(getFieldIndex(file.cloud, name)));
@@ -94,16 +94,16 @@ TEST_F(Tables, AnySeparatorSeparates)
                            "\xef\xbb\xbf+1 25e-1 -3\n4 5 6\n"}) {
     const auto file = load(text);
     EXPECT_EQ(fieldsOf(file), "x y z") << text;
-    EXPECT_EQ(valuesOf<double>(file, "x"), (Doubles{1, 4})) << text;
-    EXPECT_EQ(valuesOf<double>(file, "y"), (Doubles{2.5, 5})) << text;
-    EXPECT_EQ(valuesOf<double>(file, "z"), (Doubles{-3, 6})) << text;
+    EXPECT_EQ(columnValues<double>(file, "x"), (Doubles{1, 4})) << text;
+    EXPECT_EQ(columnValues<double>(file, "y"), (Doubles{2.5, 5})) << text;
+    EXPECT_EQ(columnValues<double>(file, "z"), (Doubles{-3, 6})) << text;
   }
 }
 
 TEST_F(Tables, CommentsAndBlankLinesAreLeftOut)
 {
   const auto file = load("# made by hand\n\n// x marks the spot\n1 2 3\n#4 5 6\n7 8 9");
-  EXPECT_EQ(valuesOf<double>(file, "x"), (Doubles{1, 7}));
+  EXPECT_EQ(columnValues<double>(file, "x"), (Doubles{1, 7}));
 }
 
 TEST_F(Tables, HeadersNameTheColumns)
@@ -115,12 +115,13 @@ TEST_F(Tables, HeadersNameTheColumns)
     const auto file =
         load(std::string(header) + "\n3 1 2 255 128 0 4000000000 0.5 7\n");
     EXPECT_EQ(fieldsOf(file), "x y z rgb label normal_x gps_time") << header;
-    EXPECT_EQ(valuesOf<double>(file, "x"), (Doubles{1})) << header;
-    EXPECT_EQ(valuesOf<double>(file, "z"), (Doubles{3})) << header;
-    EXPECT_EQ(valuesOf<std::uint32_t>(file, "rgb"), (Wholes{0xff8000})) << header;
-    EXPECT_EQ(valuesOf<std::uint32_t>(file, "label"), (Wholes{4000000000u})) << header;
-    EXPECT_EQ(valuesOf<float>(file, "normal_x"), (Floats{0.5f})) << header;
-    EXPECT_EQ(valuesOf<float>(file, "gps_time"), (Floats{7})) << header;
+    EXPECT_EQ(columnValues<double>(file, "x"), (Doubles{1})) << header;
+    EXPECT_EQ(columnValues<double>(file, "z"), (Doubles{3})) << header;
+    EXPECT_EQ(columnValues<std::uint32_t>(file, "rgb"), (Wholes{0xff8000})) << header;
+    EXPECT_EQ(columnValues<std::uint32_t>(file, "label"), (Wholes{4000000000u}))
+        << header;
+    EXPECT_EQ(columnValues<float>(file, "normal_x"), (Floats{0.5f})) << header;
+    EXPECT_EQ(columnValues<float>(file, "gps_time"), (Floats{7})) << header;
   }
 }
 
@@ -136,7 +137,7 @@ TEST_F(Tables, WithoutAHeaderTheNumberOfColumnsTells)
             "x y z intensity rgb");
   EXPECT_EQ(fieldsOf(load("1 2 3 -1 4 5 6.5\n")),
             "x y z column_4 column_5 column_6 column_7");
-  EXPECT_EQ(valuesOf<float>(load("1 2 3 -1 4 5 6\n"), "intensity"), (Floats{-1}));
+  EXPECT_EQ(columnValues<float>(load("1 2 3 -1 4 5 6\n"), "intensity"), (Floats{-1}));
   EXPECT_EQ(notesOf(load("1 2 3\n")), "");
   EXPECT_EQ(
       notesOf(load("1 2 3 4 5\n")),
@@ -171,9 +172,9 @@ TEST_F(Tables, TimesBeforeThePlaceAreNoPlace)
   }
   const auto clock = load(seconds);
   EXPECT_EQ(clock.cloud.fields.size(), 3u);
-  EXPECT_EQ(valuesOf<double>(clock, "y"), Doubles(12, 2.25));
+  EXPECT_EQ(columnValues<double>(clock, "y"), Doubles(12, 2.25));
   const auto unclear = load(of_week); // may be an easting
-  EXPECT_EQ(valuesOf<double>(unclear, "z"), Doubles(12, 2.25));
+  EXPECT_EQ(columnValues<double>(unclear, "z"), Doubles(12, 2.25));
   ASSERT_EQ(unclear.notes.size(), 2u);
   EXPECT_NE(unclear.notes[1].find("set -columns _,x,y,z"), std::string::npos);
 }
@@ -181,7 +182,7 @@ TEST_F(Tables, TimesBeforeThePlaceAreNoPlace)
 TEST_F(Tables, ColoursAreTakenByTheirRange)
 {
   const auto rgb = [this](const std::string& text, const std::string& columns = "") {
-    return valuesOf<std::uint32_t>(load(text, columns), "rgb");
+    return columnValues<std::uint32_t>(load(text, columns), "rgb");
   };
   const Wholes red = {0xff8000, 0x102030};
   EXPECT_EQ(rgb("1 2 3 255 128 0\n1 2 3 16 32 48\n"), red);
@@ -227,13 +228,13 @@ TEST_F(Tables, OtherWordsNameTheColumns)
                              "x_m y_m z_m"}) {
     const auto file = load(header + ("\n" + rows));
     EXPECT_EQ(fieldsOf(file), "x y z") << header;
-    EXPECT_EQ(valuesOf<double>(file, "y"), (Doubles{2, 5})) << header;
+    EXPECT_EQ(columnValues<double>(file, "y"), (Doubles{2, 5})) << header;
   }
   // northing first is no mirror
   const auto file = load("PointNumber,Northing,Easting,Elevation,Code\n1,5,6,7,TREE\n");
   EXPECT_EQ(fieldsOf(file), "x y z pointnumber");
-  EXPECT_EQ(valuesOf<double>(file, "x"), (Doubles{6}));
-  EXPECT_EQ(valuesOf<double>(file, "y"), (Doubles{5}));
+  EXPECT_EQ(columnValues<double>(file, "x"), (Doubles{6}));
+  EXPECT_EQ(columnValues<double>(file, "y"), (Doubles{5}));
   EXPECT_EQ(notesOf(file),
             "its columns are taken as pointnumber,y,x,z,_; -columns says otherwise | "
             "columns without numbers are left out: 'code'");
@@ -276,8 +277,8 @@ TEST_F(Tables, NamesOfRowsAreLeftOut)
                            "1.5 2 3 wall\n4 5 6 roof\n"}) {
     const auto file = load(text);
     EXPECT_EQ(fieldsOf(file), "x y z") << text;
-    EXPECT_EQ(valuesOf<double>(file, "x"), (Doubles{1.5, 4})) << text;
-    EXPECT_EQ(valuesOf<double>(file, "z"), (Doubles{3, 6})) << text;
+    EXPECT_EQ(columnValues<double>(file, "x"), (Doubles{1.5, 4})) << text;
+    EXPECT_EQ(columnValues<double>(file, "z"), (Doubles{3, 6})) << text;
   }
   EXPECT_EQ(notesOf(load("P1,1.5,2,3\n")),
             "its columns are taken as _,x,y,z; -columns says otherwise, for example "
@@ -288,8 +289,8 @@ TEST_F(Tables, NamesOfRowsAreLeftOut)
     whole += std::to_string(i) + ",0.5,0.25\n";
   }
   EXPECT_EQ(fieldsOf(load(counted)), "x y z");
-  EXPECT_EQ(valuesOf<double>(load(counted), "x")[7], 0.5);
-  EXPECT_EQ(valuesOf<double>(load(whole), "x")[7], 7); // else there is no place
+  EXPECT_EQ(columnValues<double>(load(counted), "x")[7], 0.5);
+  EXPECT_EQ(columnValues<double>(load(whole), "x")[7], 7); // else there is no place
   std::string scanner, millimetres, grid;
   for (int i = 0; i < 12; ++i) {
     const auto row = std::to_string(i / 4) + " " + std::to_string(i % 4);
@@ -299,7 +300,7 @@ TEST_F(Tables, NamesOfRowsAreLeftOut)
     grid += row + " 0." + std::to_string(i) + " 0.5\n";
   }
   EXPECT_EQ(fieldsOf(load(scanner)), "x y z rgb");
-  EXPECT_EQ(valuesOf<double>(load(scanner), "x")[7], 7.5);
+  EXPECT_EQ(columnValues<double>(load(scanner), "x")[7], 7.5);
   EXPECT_EQ(notesOf(load(scanner)),
             "its columns are taken as _,_,x,y,z,r,g,b; -columns says otherwise, for "
             "example _,_,y,x,z,r,g,b where northing comes first");
@@ -313,8 +314,8 @@ TEST_F(Tables, TheOptionSaysWhatColumnsAre)
 {
   const auto file = load("7 9 1 2 3 10 20 30\n", "_,room,x,y,z,b,g,r");
   EXPECT_EQ(fieldsOf(file), "x y z room rgb");
-  EXPECT_EQ(valuesOf<float>(file, "room"), (Floats{9}));
-  EXPECT_EQ(valuesOf<std::uint32_t>(file, "rgb"), (Wholes{0x1e140a}));
+  EXPECT_EQ(columnValues<float>(file, "room"), (Floats{9}));
+  EXPECT_EQ(columnValues<std::uint32_t>(file, "rgb"), (Wholes{0x1e140a}));
   EXPECT_EQ(readLabels(file, "room"), (Wholes{9}));
   // it stands above a header, which need not name anything known
   EXPECT_EQ(fieldsOf(load("east,north,up\n1,2,3\n", "x,y,z")), "x y z");
@@ -335,7 +336,7 @@ TEST_F(Tables, FieldsThatCannotBeAreNumbered)
   // a name twice, an empty one, one of packed colours, colours that are not all there
   const auto file = load("x,y,z,a,a,,rgb,r,g\n1,2,3,4,5,6,7,8.5,9\n");
   EXPECT_EQ(fieldsOf(file), "x y z a column_5 column_6 column_7 r g");
-  EXPECT_EQ(valuesOf<float>(file, "r"), (Floats{8.5f}));
+  EXPECT_EQ(columnValues<float>(file, "r"), (Floats{8.5f}));
 }
 
 TEST_F(Tables, NumbersAreReadToTheLastBit)
@@ -350,8 +351,8 @@ TEST_F(Tables, NumbersAreReadToTheLastBit)
     text << x << " 5334567.123456789 0.1\n";
   }
   const auto file = load(text.str());
-  EXPECT_EQ(valuesOf<double>(file, "x"), expected);
-  EXPECT_EQ(valuesOf<double>(file, "y")[7], 5334567.123456789);
+  EXPECT_EQ(columnValues<double>(file, "x"), expected);
+  EXPECT_EQ(columnValues<double>(file, "y")[7], 5334567.123456789);
   EXPECT_EQ(file.offset.y(), 5334567);
   EXPECT_NEAR((*file.points)[7].y, 0.123456789f, 1e-8f);
 }
@@ -439,12 +440,12 @@ TEST_F(Tables, DecimalsMayHaveCommas)
                            "\"1,5\",\"2,25\",\"-3,5\"\n\"4\",\"5\",\"6\"\n"}) {
     const auto file = load(text);
     EXPECT_EQ(fieldsOf(file), "x y z") << text;
-    EXPECT_EQ(valuesOf<double>(file, "x"), (Doubles{1.5, 4})) << text;
-    EXPECT_EQ(valuesOf<double>(file, "y"), (Doubles{2.25, 5})) << text;
-    EXPECT_EQ(valuesOf<double>(file, "z"), (Doubles{-3.5, 6})) << text;
+    EXPECT_EQ(columnValues<double>(file, "x"), (Doubles{1.5, 4})) << text;
+    EXPECT_EQ(columnValues<double>(file, "y"), (Doubles{2.25, 5})) << text;
+    EXPECT_EQ(columnValues<double>(file, "z"), (Doubles{-3.5, 6})) << text;
     EXPECT_EQ(notesOf(file), "its decimals have commas") << text;
   }
-  EXPECT_EQ(valuesOf<double>(load("1;2;3\n1,5;2;3\n"), "x"), (Doubles{1, 1.5}));
+  EXPECT_EQ(columnValues<double>(load("1;2;3\n1,5;2;3\n"), "x"), (Doubles{1, 1.5}));
   EXPECT_EQ(complaint("1,5;2.5;3\n"),
             "line 1: '2.5' has another decimal sign than numbers before; points and "
             "commas are mixed");
@@ -475,7 +476,7 @@ TEST_F(Tables, ControlCharactersAreLeftOut)
   auto file = load("1 2 3 4 5 6\n1 2 3 103.0\x10"
                    "000 100 90\n1 2 3 185\x10"
                    "187 7\n");
-  EXPECT_EQ(valuesOf<std::uint32_t>(file, "rgb"),
+  EXPECT_EQ(columnValues<std::uint32_t>(file, "rgb"),
             (Wholes{0x040506, 0x67645a, 0xb9bb07}));
   EXPECT_EQ(file.notes.back(), "control characters are left out in line 2 and 1 more");
 }

@@ -8,11 +8,12 @@
 #include "pictures/plan_dxf.h"
 #include "pictures/plan_svg.h"
 #include "pictures/svg_raster.h"
-#include "support/count.h"
+#include "support/occurrences.h"
 #include "support/png_pixels.h"
-#include "support/synthetic_scenes.h"
 
 #include <gtest/gtest.h>
+
+#include "scene/pictures/segmented_rooms.h"
 
 #include <algorithm>
 #include <map>
@@ -23,17 +24,10 @@
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
+using pcl::indoor::test::occurrences;
+using pcl::indoor::test::segmentedRooms;
 
 namespace {
-
-using pcl::indoor::test::count;
-
-const BuildingRooms&
-twoRooms()
-{
-  static const auto building = segmentBuilding(test::twoRooms().points);
-  return building;
-}
 
 /** Group codes with their values. */
 std::vector<std::pair<int, std::string>>
@@ -58,14 +52,14 @@ TEST(FloorPlan, StationsAreDrawnOnTheirStorey)
   ASSERT_EQ(plan.storeys.size(), 1u);
   ASSERT_EQ(plan.storeys[0].stations.size(), 2u); // the third stands in no room
   EXPECT_EQ(plan.storeys[0].stations[1], Eigen::Vector2d(5.0, 1.0));
-  EXPECT_EQ(count(planSvg(plan), "class=\"station\""), 2u);
-  EXPECT_EQ(count(storeySvgs(plan)[0], "class=\"station\""), 2u);
-  EXPECT_EQ(count(planSvg(floorPlan(twoRooms())), "class=\"station\""), 0u);
+  EXPECT_EQ(occurrences(planSvg(plan), "class=\"station\""), 2u);
+  EXPECT_EQ(occurrences(storeySvgs(plan)[0], "class=\"station\""), 2u);
+  EXPECT_EQ(occurrences(planSvg(floorPlan(segmentedRooms())), "class=\"station\""), 0u);
 }
 
 TEST(FloorPlan, OpeningsAreGapsInTheWalls)
 {
-  const auto plan = floorPlan(twoRooms());
+  const auto plan = floorPlan(segmentedRooms());
   ASSERT_EQ(plan.storeys.size(), 1u);
   const auto& storey = plan.storeys[0];
   ASSERT_EQ(storey.rooms.size(), 2u);
@@ -95,7 +89,7 @@ TEST(FloorPlan, OpeningsAreGapsInTheWalls)
 
 TEST(FloorPlan, RoomsHaveTheNamesOfTheirNumbers)
 {
-  auto plan = floorPlan(twoRooms());
+  auto plan = floorPlan(segmentedRooms());
   EXPECT_EQ(planSvg(plan).find("kitchen"), std::string::npos);
   addNames({"", "kitchen", "of no room"}, plan);
   for (const auto& room : plan.storeys[0].rooms)
@@ -115,23 +109,23 @@ TEST(FloorPlan, NothingFoundIsAnEmptyPlan)
 TEST(FloorPlan, DrawingsShowRoomsDoorsAndObjects)
 {
   const PlanObject object{7, 0, {{1, 1}, {2, 1}, {2, 2}, {1, 2}}};
-  const auto plan = floorPlan(twoRooms(), {object});
+  const auto plan = floorPlan(segmentedRooms(), {object});
   const auto svg = planSvg(plan);
-  EXPECT_EQ(count(svg, "id=\"room-"), 2u);
-  EXPECT_EQ(count(svg, "class=\"door\""), 1u);
-  EXPECT_EQ(count(svg, " m²</text>"), 2u);
-  EXPECT_EQ(count(svg, "id=\"scale\""), 1u);
-  EXPECT_EQ(count(svg, "id=\"direction\""), 1u);
-  EXPECT_EQ(count(svg, "data-object"), 0u);
+  EXPECT_EQ(occurrences(svg, "id=\"room-"), 2u);
+  EXPECT_EQ(occurrences(svg, "class=\"door\""), 1u);
+  EXPECT_EQ(occurrences(svg, " m²</text>"), 2u);
+  EXPECT_EQ(occurrences(svg, "id=\"scale\""), 1u);
+  EXPECT_EQ(occurrences(svg, "id=\"direction\""), 1u);
+  EXPECT_EQ(occurrences(svg, "data-object"), 0u);
   const auto storeys = storeySvgs(plan);
   ASSERT_EQ(storeys.size(), 1u);
-  EXPECT_EQ(count(storeys[0], "data-object=\"7\""), 1u);
-  EXPECT_EQ(count(storeys[0], "id=\"scale\""), 0u);
+  EXPECT_EQ(occurrences(storeys[0], "data-object=\"7\""), 1u);
+  EXPECT_EQ(occurrences(storeys[0], "id=\"scale\""), 0u);
 }
 
 TEST(FloorPlan, DxfHoldsTheSameInPlacesOfTheScan)
 {
-  auto plan = floorPlan(twoRooms());
+  auto plan = floorPlan(segmentedRooms());
   plan.origin = {691000.0, 5334000.0};
   const auto pairs = readDxf(planDxf(plan));
   std::map<std::string, std::size_t> entities;
@@ -157,8 +151,8 @@ TEST(FloorPlan, DxfHoldsTheSameInPlacesOfTheScan)
 
 TEST(FloorPlan, WallsAreGreyBesideDoorsAndWindowsLieAcrossThem)
 {
-  auto plan = floorPlan(twoRooms());
-  const auto before = count(planSvg(plan), "class=\"");
+  auto plan = floorPlan(segmentedRooms());
+  const auto before = occurrences(planSvg(plan), "class=\"");
   const auto& door = plan.storeys[0].openings.at(0);
   BuildingModel model;
   model.walls.resize(2);
@@ -186,16 +180,17 @@ TEST(FloorPlan, WallsAreGreyBesideDoorsAndWindowsLieAcrossThem)
   const auto corners = storey.windows[0].corners();
   EXPECT_NEAR((corners[1] - corners[0]).norm(), 0.8, 1e-9);
   EXPECT_NEAR((corners[3] - corners[0]).norm(), 0.2, 1e-9); // as thick as its wall
-  EXPECT_EQ(count(planSvg(plan), "class=\""), before + 2);
+  EXPECT_EQ(occurrences(planSvg(plan), "class=\""), before + 2);
   EXPECT_EQ(readDxf(planDxf(plan)).size(),
-            readDxf(planDxf(floorPlan(twoRooms()))).size() + 5 * 8);
+            readDxf(planDxf(floorPlan(segmentedRooms()))).size() + 5 * 8);
 }
 
 TEST(FloorPlan, PngShowsTheWallsOfTheSvg)
 {
   if (!canRasterise())
     GTEST_SKIP() << "built without librsvg";
-  const auto files = rasterised({{"plan.png", planSvg(floorPlan(twoRooms()))}}).get();
+  const auto files =
+      rasterised({{"plan.png", planSvg(floorPlan(segmentedRooms()))}}).get();
   const auto drawing = test::readPng(files.at(0).second);
   const int walls = drawing.count(
       [](unsigned pixel) { return pixel < 0x606060u && (pixel & 0xFFu) < 0x60u; });

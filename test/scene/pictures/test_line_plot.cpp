@@ -6,7 +6,7 @@
 #include "pictures/line_plot.h"
 
 #include "pictures/confusion_picture.h"
-#include "support/count.h"
+#include "support/occurrences.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 
 using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
-using pcl::indoor::test::count;
+using pcl::indoor::test::occurrences;
 
 TEST(LinePlot, StepsAreRound)
 {
@@ -32,12 +32,13 @@ TEST(LinePlot, CurvesLieBetweenTheAxes)
   const auto text =
       linePlot(axes, {{"one", {{0.0, 0.0}, {10.0, 5.0}}, {1, 2, 3}}}).str();
   // from the lower left corner to the upper right one
-  EXPECT_EQ(count(text, "stroke-linejoin=\"round\" points=\" 64.0,280.0 504.0,40.0\""),
-            1u);
+  EXPECT_EQ(
+      occurrences(text, "stroke-linejoin=\"round\" points=\" 64.0,280.0 504.0,40.0\""),
+      1u);
   for (const char* name : {">A title<", ">Epoch<", ">Loss<", ">one<"})
-    EXPECT_EQ(count(text, name), 1u) << name;
-  EXPECT_EQ(count(text, ">5<"), 2u);                // of both axes
-  EXPECT_EQ(count(text, "stroke=\"#010203\""), 4u); // curve, two marks, legend
+    EXPECT_EQ(occurrences(text, name), 1u) << name;
+  EXPECT_EQ(occurrences(text, ">5<"), 2u);                // of both axes
+  EXPECT_EQ(occurrences(text, "stroke=\"#010203\""), 4u); // curve, two marks, legend
 }
 
 TEST(ConfusionPicture, CellsHoldShares)
@@ -45,8 +46,8 @@ TEST(ConfusionPicture, CellsHoldShares)
   const auto confusion = confusionMatrix({0, 0, 0, 1}, {0, 0, 1, 1}, 2);
   const auto text = confusionPicture(confusion, {"chair", "R&D"}).str();
   for (const char* share : {">67<", ">33<", ">100<"})
-    EXPECT_EQ(count(text, share), 1u) << share;
-  EXPECT_EQ(count(text, ">0<"), 0u);
-  EXPECT_EQ(count(text, ">chair<"), 2u);
-  EXPECT_EQ(count(text, ">R&#38;D<"), 2u);
+    EXPECT_EQ(occurrences(text, share), 1u) << share;
+  EXPECT_EQ(occurrences(text, ">0<"), 0u);
+  EXPECT_EQ(occurrences(text, ">chair<"), 2u);
+  EXPECT_EQ(occurrences(text, ">R&#38;D<"), 2u);
 }

@@ -7,21 +7,16 @@
 
 #include "pictures/svg_raster.h"
 #include "support/png_pixels.h"
-#include "support/synthetic_scenes.h"
 
 #include <gtest/gtest.h>
 
+#include "scene/pictures/segmented_rooms.h"
+
 using namespace pcl::indoor;
 using namespace pcl::indoor::tool;
+using pcl::indoor::test::segmentedRooms;
 
 namespace {
-
-const BuildingRooms&
-twoRooms()
-{
-  static const auto building = segmentBuilding(test::twoRooms().points);
-  return building;
-}
 
 test::Pixels
 pixelsOf(const SvgDrawing& drawing)
@@ -41,7 +36,7 @@ TEST(RoomPicture, PixelsOfARoomHaveExactlyItsColour)
 {
   if (!canRasterise())
     GTEST_SKIP() << "built without librsvg";
-  const auto& building = twoRooms();
+  const auto& building = segmentedRooms();
   const auto& map = building.maps.at(0);
   const auto pixels = pixelsOf(drawRooms(building));
   constexpr int square = 12 * 12;
@@ -60,7 +55,7 @@ TEST(RoomPicture, PixelsOfARoomHaveExactlyItsColour)
 
 TEST(RoomPicture, TheFieldIsLightInTheMiddleAndSaysItsRange)
 {
-  const auto drawing = drawPotentialField(twoRooms());
+  const auto drawing = drawPotentialField(segmentedRooms());
   EXPECT_NE(drawing.str().find("id=\"scale\""), std::string::npos);
   EXPECT_NE(drawing.str().find("1.5 m</text>"), std::string::npos);
   if (!canRasterise())
@@ -72,7 +67,7 @@ TEST(RoomPicture, TheFieldIsLightInTheMiddleAndSaysItsRange)
 
 TEST(RoomPicture, StoreysLieBelowEachOtherWithTheirNames)
 {
-  auto building = twoRooms();
+  auto building = segmentedRooms();
   const auto one = drawRooms(building);
   EXPECT_EQ(one.str().find("Storey"), std::string::npos);
   building.maps.push_back(building.maps[0]);

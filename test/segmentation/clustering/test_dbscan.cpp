@@ -23,7 +23,7 @@ namespace {
 
 using Matrix = std::vector<std::vector<double>>;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double out_of_reach = std::numeric_limits<double>::infinity();
 
 /** A few distances, drawn for each pair: no metric, many ties, some infinite. */
 Matrix
@@ -34,7 +34,7 @@ randomDistances(std::size_t n, std::mt19937& rng)
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < i; ++j)
       d[i][j] = d[j][i] =
-          rng() % 10 == 0 ? infinity : static_cast<double>(rng() % values) / 3.0;
+          rng() % 10 == 0 ? out_of_reach : static_cast<double>(rng() % values) / 3.0;
   return d;
 }
 
@@ -310,7 +310,7 @@ TEST(DBSCAN, RejectsBadInput)
   refused(options);
   options.epsilon = std::nan("");
   refused(options);
-  options.epsilon = infinity;
+  options.epsilon = out_of_reach;
   refused(options);
   options = {};
   options.min_samples = 0;

@@ -28,7 +28,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /** Points in a few clumps on an integer lattice: ties and duplicates abound. */
 Matrix
-latticeDistances(std::size_t n, std::mt19937& rng)
+clumpDistances(std::size_t n, std::mt19937& rng)
 {
   std::vector<std::pair<int, int>> points;
   for (std::size_t i = 0; i < n; ++i) {
@@ -56,7 +56,7 @@ arbitraryDistances(std::size_t n, unsigned values, std::mt19937& rng)
 }
 
 HDBSCANOptions
-randomOptions(std::mt19937& rng)
+randomHierarchyOptions(std::mt19937& rng)
 {
   HDBSCANOptions options;
   options.min_cluster_size = 2 + rng() % 5;
@@ -121,7 +121,7 @@ TEST(HDBSCAN, EqualsBruteForceOnLattices)
   std::mt19937 rng(1);
   for (int trial = 0; trial < 400; ++trial)
     expectEqualsBruteForce(
-        latticeDistances(1 + rng() % 45, rng), randomOptions(rng), trial);
+        clumpDistances(1 + rng() % 45, rng), randomHierarchyOptions(rng), trial);
 }
 
 TEST(HDBSCAN, EqualsBruteForceOnArbitraryDistances)
@@ -134,7 +134,7 @@ TEST(HDBSCAN, EqualsBruteForceOnArbitraryDistances)
         for (double& value : row)
           if (value > 20.0)
             value = infinity;
-    expectEqualsBruteForce(d, randomOptions(rng), trial);
+    expectEqualsBruteForce(d, randomHierarchyOptions(rng), trial);
   }
 }
 
@@ -147,7 +147,7 @@ TEST(HDBSCAN, TheGraphOfAllPairsEqualsTheDenseDistances)
       for (double& value : row)
         if (value > 5.0 + trial)
           value = infinity;
-    const auto options = randomOptions(rng);
+    const auto options = randomHierarchyOptions(rng);
     auto edges = finiteEdges(d);
     const auto dense = hdbscanDense(d, options);
     for (std::size_t k = edges.size(); k-- > 0;) // worse copies and loops do not matter
@@ -169,10 +169,10 @@ TEST(HDBSCAN, AnyPointOrderGivesTheSamePartition)
 {
   std::mt19937 rng(4);
   for (int trial = 0; trial < 200; ++trial) {
-    const auto d = trial % 2 ? latticeDistances(60, rng)
+    const auto d = trial % 2 ? clumpDistances(60, rng)
                              : arbitraryDistances(40, 2 + rng() % 60, rng);
     const std::size_t n = d.size();
-    const auto options = randomOptions(rng);
+    const auto options = randomHierarchyOptions(rng);
     const auto result = hdbscanDense(d, options);
     std::vector<std::size_t> order(n);
     for (std::size_t i = 0; i < n; ++i)
@@ -198,14 +198,14 @@ TEST(HDBSCAN, CopiesOfAPointShareItsLabel)
 {
   std::mt19937 rng(6);
   for (int trial = 0; trial < 200; ++trial) {
-    const auto d = latticeDistances(5 + rng() % 40, rng);
+    const auto d = clumpDistances(5 + rng() % 40, rng);
     std::vector<std::size_t> order(d.size() + d.size() / 2);
     for (std::size_t i = 0; i < order.size(); ++i)
       order[i] = i < d.size() ? i : rng() % d.size();
     const auto result = hdbscan(
         order.size(),
         [&](std::size_t i, std::size_t j) { return d[order[i]][order[j]]; },
-        randomOptions(rng));
+        randomHierarchyOptions(rng));
     for (std::size_t k = d.size(); k < order.size(); ++k) {
       ASSERT_EQ(result.labels[k], result.labels[order[k]]) << "trial " << trial;
       ASSERT_EQ(result.probabilities[k], result.probabilities[order[k]])

@@ -17,7 +17,7 @@ namespace test {
 using Segmentation = pcl::NoiseResilientLCCP<pcl::PointXYZ>;
 
 inline Labels
-segmented(const Cloud::ConstPtr& cloud)
+segmentedObjects(const Cloud::ConstPtr& cloud)
 {
   Segmentation segmentation;
   segmentation.setInputCloud(cloud);

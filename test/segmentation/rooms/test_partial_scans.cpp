@@ -35,13 +35,13 @@ partOfTwoRooms(const Seen& seen)
 }
 
 bool
-isFloor(float z)
+isFloorHeight(float z)
 {
   return z < 0.03f;
 }
 
 bool
-isCeiling(float z)
+isCeilingHeight(float z)
 {
   return z > 2.47f;
 }
@@ -93,12 +93,14 @@ TEST(PartialScans, WholeScansAreSaidToBeWhole)
 
 TEST(PartialScans, WithoutFloors)
 {
-  expectTwoRooms(partOfTwoRooms([](float z) { return !isFloor(z); }), "No floors");
+  expectTwoRooms(partOfTwoRooms([](float z) { return !isFloorHeight(z); }),
+                 "No floors");
 }
 
 TEST(PartialScans, WithoutCeilings)
 {
-  expectTwoRooms(partOfTwoRooms([](float z) { return !isCeiling(z); }), "No ceilings");
+  expectTwoRooms(partOfTwoRooms([](float z) { return !isCeilingHeight(z); }),
+                 "No ceilings");
 }
 
 /** A hall, 12 x 9 m, of which nothing above 1.6 m was seen, nor the floor between two
@@ -112,7 +114,7 @@ expectAHallSeenToTheShoulders(float unseen_begin, float unseen_end)
           .points;
   const auto is_unseen = [&](const auto& p) {
     return (p.x() < 12.05f && p.z() > 1.6f) ||
-           (isFloor(p.z()) && p.x() > unseen_begin && p.x() < unseen_end);
+           (isFloorHeight(p.z()) && p.x() > unseen_begin && p.x() < unseen_end);
   };
   points.erase(std::remove_if(points.begin(), points.end(), is_unseen), points.end());
   const auto building = segmentBuilding(points);
@@ -197,14 +199,15 @@ TEST(PartialScans, PassagesUpToCeilingsSeenInPartsDoNotHang)
 
 TEST(PartialScans, WallsAlone)
 {
-  expectTwoRooms(partOfTwoRooms([](float z) { return !isFloor(z) && !isCeiling(z); }),
-                 "Neither floors nor ceilings");
+  expectTwoRooms(
+      partOfTwoRooms([](float z) { return !isFloorHeight(z) && !isCeilingHeight(z); }),
+      "Neither floors nor ceilings");
 }
 
 TEST(PartialScans, WithoutWallsTheBordersOfRoomsAreDoubted)
 {
   const auto building = segmentBuilding(
-      partOfTwoRooms([](float z) { return isFloor(z) || isCeiling(z); }));
+      partOfTwoRooms([](float z) { return isFloorHeight(z) || isCeilingHeight(z); }));
   ASSERT_FALSE(building.rooms.empty());
   const auto warnings = unseenWarnings(building);
   ASSERT_EQ(warnings.size(), 1u);
@@ -225,8 +228,8 @@ TEST(PartialScans, ABlockBetweenCorridorsIsNoPlaceWithoutCeiling)
   points.erase(std::remove_if(points.begin(),
                               points.end(),
                               [](const auto& p) {
-                                return isFloor(p.z()) ||
-                                       (isCeiling(p.z()) &&
+                                return isFloorHeight(p.z()) ||
+                                       (isCeilingHeight(p.z()) &&
                                         (p.x() > 1.7f && p.y() > 1.7f));
                               }),
                points.end());
@@ -246,7 +249,7 @@ TEST(PartialScans, WhatIsSeenThroughADoorIsNoRoom)
                               points.end(),
                               [](const auto& p) {
                                 const bool is_level =
-                                    isFloor(p.z()) || isCeiling(p.z());
+                                    isFloorHeight(p.z()) || isCeilingHeight(p.z());
                                 const bool is_near =
                                     p.x() < 5.2f && std::abs(p.y() - 1.5f) < 0.9f;
                                 return p.x() > 4.3f && !(is_level && is_near);
@@ -261,7 +264,7 @@ TEST(PartialScans, WhatIsSeenThroughADoorIsNoRoom)
 TEST(PartialScans, FlagsTellWhichRoomsLackWhat)
 {
   const auto building =
-      segmentBuilding(partOfTwoRooms([](float z) { return !isFloor(z); }));
+      segmentBuilding(partOfTwoRooms([](float z) { return !isFloorHeight(z); }));
   for (const Room& room : building.rooms) {
     EXPECT_EQ(room.floor_seen, 0.0);
     EXPECT_GT(room.ceiling_seen, 0.9);

@@ -27,7 +27,7 @@ constexpr double degree = M_PI / 180.0;
 /** Two storeys of 2.5 m, each with four rooms of 4 x 5 m; on the floor of each stand
  * two boxes of 2 x 0.8 x 0.7 m, or none. */
 Points
-house(bool is_furnished = true)
+houseOfRooms(bool is_furnished = true)
 {
   std::vector<RoomBox> boxes;
   Points furniture;
@@ -84,7 +84,7 @@ angleBetween(const Eigen::Vector3f& a, const Eigen::Vector3d& b)
 
 TEST(Vertical, ALevelScanIsTakenAsItIs)
 {
-  const auto points = house();
+  const auto points = houseOfRooms();
   for (const double tilt : {0.0, 0.4, 0.8}) {
     const auto vertical =
         findVertical(turned(points, turnAbout(Eigen::Vector3d(1, 2, 0), tilt)));
@@ -97,7 +97,7 @@ TEST(Vertical, ALevelScanIsTakenAsItIs)
 
 TEST(Vertical, FollowsATilt)
 {
-  const auto points = house();
+  const auto points = houseOfRooms();
   for (const double tilt : {2.0, 5.0, 11.0, 20.0, 30.0, 44.0})
     for (const double azimuth : {0.0, 33.0, 90.0}) {
       const auto turn = turnAbout(turnAbout(Eigen::Vector3d::UnitZ(), azimuth) *
@@ -113,7 +113,7 @@ TEST(Vertical, FollowsATilt)
 
 TEST(Vertical, FurnitureTellsFloorsFromCeilings)
 {
-  const auto points = house();
+  const auto points = houseOfRooms();
   for (int axis = 0; axis < 3; ++axis)
     for (const float sign : {1.0f, -1.0f}) {
       const Eigen::Vector3f up = sign * Eigen::Vector3f::Unit(axis);
@@ -129,7 +129,7 @@ TEST(Vertical, FurnitureTellsFloorsFromCeilings)
 TEST(Vertical, ObjectsAtTheCeilingsOfLowRoomsRaiseADoubt)
 {
   for (const double turn : {0.0, 180.0}) {
-    auto points = turned(house(), turnAbout(Eigen::Vector3d::UnitX(), turn));
+    auto points = turned(houseOfRooms(), turnAbout(Eigen::Vector3d::UnitX(), turn));
     for (auto& point : points)
       point *= 0.6f; // 1.5 m: no rooms in any unit, as in scans that show little
     const auto vertical = findVertical(points);
@@ -150,7 +150,7 @@ TEST(Vertical, MoreObjectsAtACeilingAreNoProof)
 
 TEST(Vertical, WithoutFurnitureTheEndNearerToZIsUp)
 {
-  const auto points = house(false);
+  const auto points = houseOfRooms(false);
   const auto down = turned(points, turnAbout(Eigen::Vector3d::UnitX(), 180.0));
   EXPECT_EQ(findVertical(down).upAxis(), Eigen::Vector3f::UnitZ());
   const auto lying =
@@ -161,7 +161,7 @@ TEST(Vertical, WithoutFurnitureTheEndNearerToZIsUp)
 
 TEST(Vertical, HeightsThatStandForNothingDoNoHarm)
 {
-  auto points = house();
+  auto points = houseOfRooms();
   const auto height = findVertical(points).room_height;
   const auto count = points.size();
   for (std::size_t i = 0; i < count; i += 7)
@@ -171,7 +171,7 @@ TEST(Vertical, HeightsThatStandForNothingDoNoHarm)
 
 TEST(Vertical, FollowsTheUnit)
 {
-  const auto points = house();
+  const auto points = houseOfRooms();
   for (const double unit : {0.001, 0.01, 0.0254, 0.3048, 1.0}) {
     Points scaled;
     for (const auto& point : points)
@@ -204,7 +204,7 @@ TEST(Vertical, RoomsNarrowerThanHighStayUpright)
 
 TEST(Vertical, DependsNeitherOnTheOrderNorOnFarPoints)
 {
-  auto points = turned(house(), turnAbout(Eigen::Vector3d(1, 1, 0), 17.0));
+  auto points = turned(houseOfRooms(), turnAbout(Eigen::Vector3d(1, 1, 0), 17.0));
   const auto vertical = findVertical(points);
   std::mt19937 rng(3);
   for (std::size_t i = points.size(); i > 1; --i)
@@ -217,7 +217,7 @@ TEST(Vertical, DependsNeitherOnTheOrderNorOnFarPoints)
 
 TEST(Vertical, AnAxisThatIsSetHolds)
 {
-  const auto vertical = verticalAlong(Eigen::Vector3f(0, 3, 0), house());
+  const auto vertical = verticalAlong(Eigen::Vector3f(0, 3, 0), houseOfRooms());
   EXPECT_EQ(vertical.direction, Eigen::Vector3f::UnitY());
   EXPECT_NEAR(vertical.room_height, 5.0, 0.2);
 }

@@ -3,7 +3,7 @@
  * Copyright (c) 2026, the pcl_indoor contributors
  */
 #include "command_line/progress.h"
-#include "support/count.h"
+#include "support/occurrences.h"
 #include "training/training_report.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using namespace pcl::indoor::tool;
 
 namespace {
 
-using pcl::indoor::test::count;
+using pcl::indoor::test::occurrences;
 
 const EpochLog two_networks{{{1, 2.0, 0.5, 2.5, 0.25}, {2, 1.0, 0.75, 1.5, 0.5}},
                             {{1, 3.0, 0.125, 4.0, 0.0}}};
@@ -33,12 +33,12 @@ TEST(TrainingReport, DrawsTheCurvesThatThereAre)
 {
   const EpochLog one{two_networks[0]};
   const auto alone = curvesPicture(one, false), both = curvesPicture(one, true);
-  EXPECT_EQ(count(alone.str(), ">Training<"), 2u); // loss and accuracy
-  EXPECT_EQ(count(alone.str(), "stroke-dasharray"), 0u);
-  EXPECT_EQ(count(both.str(), ">Validation<"), 2u);
-  EXPECT_EQ(count(both.str(), "stroke-dasharray"), 4u); // and in the legends
+  EXPECT_EQ(occurrences(alone.str(), ">Training<"), 2u); // loss and accuracy
+  EXPECT_EQ(occurrences(alone.str(), "stroke-dasharray"), 0u);
+  EXPECT_EQ(occurrences(both.str(), ">Validation<"), 2u);
+  EXPECT_EQ(occurrences(both.str(), "stroke-dasharray"), 4u); // and in the legends
   const auto two = curvesPicture(two_networks, false);
-  EXPECT_EQ(count(two.str(), ">Training 2<"), 2u);
+  EXPECT_EQ(occurrences(two.str(), ">Training 2<"), 2u);
   EXPECT_GT(curvesPicture({{{1, 0.0, 1.0, 0.0, 0.0}}}, false).width(), 0); // no loss
 }
 

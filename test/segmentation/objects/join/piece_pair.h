@@ -18,7 +18,7 @@
 namespace pcl::indoor {
 namespace test {
 
-constexpr double voxel_size = 0.03;
+constexpr double pair_voxel_size = 0.03;
 
 /** A piece of these places, each of them that many voxels. */
 inline Piece
@@ -39,7 +39,7 @@ pieceOf(const Places& places,
 }
 
 /** Two pieces as they are described. */
-struct Pair {
+struct PiecePair {
   Piece a, b;
   PieceContact contact{};
   double floor = 0;
@@ -50,7 +50,7 @@ struct Pair {
   features() const
   {
     PieceGraph graph;
-    graph.voxel_size = voxel_size;
+    graph.voxel_size = pair_voxel_size;
     graph.floor = floor;
     graph.columns = columns;
     const PairDescription description(graph);

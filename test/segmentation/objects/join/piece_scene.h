@@ -19,7 +19,7 @@ namespace pcl::indoor {
 namespace test {
 
 using Labels = std::vector<std::uint32_t>;
-using Pair = std::pair<std::uint32_t, std::uint32_t>;
+using PieceNumbers = std::pair<std::uint32_t, std::uint32_t>;
 
 constexpr double voxel_size = 0.03;
 

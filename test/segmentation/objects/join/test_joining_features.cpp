@@ -64,7 +64,7 @@ TEST(JoiningFeatures, HaveNamesOfTheirOwn)
 
 TEST(JoiningFeatures, ABoxIsDescribedByItsSizes)
 {
-  Pair pair{box({1, 2, 0.5f}, {2, 2.5f, 0.9f}), box({2, 2, 0.5f}, {3, 3, 1})};
+  PiecePair pair{box({1, 2, 0.5f}, {2, 2.5f, 0.9f}), box({2, 2, 0.5f}, {3, 3, 1})};
   pair.floor = 0.25;
   pair.a.parts = 3;
   expectFeatures(pair.features(),
@@ -95,7 +95,7 @@ TEST(JoiningFeatures, ABoxIsDescribedByItsSizes)
 
 TEST(JoiningFeatures, APlateIsThin)
 {
-  const Pair pair{plate({0, 0, 0.7f}, 1, 0.5f), plate({2, 0, 0.7f}, 1, 1, -1)};
+  const PiecePair pair{plate({0, 0, 0.7f}, 1, 0.5f), plate({2, 0, 0.7f}, 1, 1, -1)};
   expectFeatures(pair.features(),
                  {{"height, a", 0},
                   {"low, a", 0.7},
@@ -107,7 +107,7 @@ TEST(JoiningFeatures, APlateIsThin)
                   {"second direction, a", 0},
                   {"main direction, a", 1},
                   {"log outline, a", std::log(0.5)},
-                  {"log volume, a", std::log(std::pow(voxel_size, 3))},
+                  {"log volume, a", std::log(std::pow(pair_voxel_size, 3))},
                   {"main direction, b", 1},
                   {"one-sided, b", 1},
                   {"cosine of normals", -1},
@@ -117,7 +117,7 @@ TEST(JoiningFeatures, APlateIsThin)
 
 TEST(JoiningFeatures, PlatesAboveEachOtherAreOutOfPlane)
 {
-  const Pair pair{plate({0, 0, 0.1f}, 1, 0.5f), plate({0, 0, 0.4f}, 1, 0.5f)};
+  const PiecePair pair{plate({0, 0, 0.1f}, 1, 0.5f), plate({0, 0, 0.4f}, 1, 0.5f)};
   expectFeatures(pair.features(),
                  {{"b over the plane of a", 0.3 / 0.03},
                   {"a over the plane of b", 0.3 / 0.03},
@@ -138,8 +138,8 @@ TEST(JoiningFeatures, PlatesAboveEachOtherAreOutOfPlane)
 
 TEST(JoiningFeatures, AirIsBetweenBoxesSideBySide)
 {
-  const Pair pair{box({0, 0, 0}, {1, 0.5f, 0.4f}),
-                  box({1.5f, 0, 0}, {3.5f, 0.5f, 0.4f})};
+  const PiecePair pair{box({0, 0, 0}, {1, 0.5f, 0.4f}),
+                       box({1.5f, 0, 0}, {3.5f, 0.5f, 0.4f})};
   expectFeatures(pair.features(),
                  {{"air over smaller", 0.1 / 0.2},
                   {"air over hull", 0.1 / 0.7},
@@ -160,8 +160,8 @@ TEST(JoiningFeatures, AirIsBetweenBoxesSideBySide)
 
 TEST(JoiningFeatures, BoxesWithinEachOtherHaveLessThanNoAir)
 {
-  const Pair pair{box({0.25f, 0, 0}, {0.75f, 0.5f, 0.5f}),
-                  box({0, 0, 0}, {1, 0.5f, 0.5f})};
+  const PiecePair pair{box({0.25f, 0, 0}, {0.75f, 0.5f, 0.5f}),
+                       box({0, 0, 0}, {1, 0.5f, 0.5f})};
   expectFeatures(pair.features(),
                  {{"air over smaller", -1},
                   {"air over hull", -0.5},
@@ -169,8 +169,8 @@ TEST(JoiningFeatures, BoxesWithinEachOtherHaveLessThanNoAir)
                   {"box of a within b", 1},
                   {"outline of smaller within", 1},
                   {"outline in common", 0.5}});
-  const Pair across{box({0, 0, 0}, {1, 0.5f, 0.5f}),
-                    box({0.75f, 0, 0.25f}, {1.75f, 0.5f, 0.75f})};
+  const PiecePair across{box({0, 0, 0}, {1, 0.5f, 0.5f}),
+                         box({0.75f, 0, 0.25f}, {1.75f, 0.5f, 0.75f})};
   expectFeatures(
       across.features(),
       {{"box of a within b", 0.25 * 0.5},
@@ -185,7 +185,7 @@ TEST(JoiningFeatures, BoxesWithinEachOtherHaveLessThanNoAir)
 TEST(JoiningFeatures, OutlinesAreCutAtTheirCorners)
 {
   // Two squares that meet in a corner: their hull is a hexagon.
-  const Pair pair{box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1})};
+  const PiecePair pair{box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1})};
   expectFeatures(pair.features(), {{"log outline of both", std::log(3)}});
   // An octagon around the unit circle, and a triangle that is half of a square.
   Places octagon;
@@ -195,8 +195,8 @@ TEST(JoiningFeatures, OutlinesAreCutAtTheirCorners)
       octagon.emplace_back(u, v, 0);
       octagon.emplace_back(v, u, 1);
     }
-  const Pair others{pieceOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}}),
-                    pieceOf(octagon, {{0, 0, 1}})};
+  const PiecePair others{pieceOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}}),
+                         pieceOf(octagon, {{0, 0, 1}})};
   expectFeatures(others.features(),
                  {{"log outline, a", std::log(0.5)},
                   {"log outline, b", std::log(8 * corner)},
@@ -205,7 +205,7 @@ TEST(JoiningFeatures, OutlinesAreCutAtTheirCorners)
 
 TEST(JoiningFeatures, ContactsAreMeasuredByVoxelsAndPlaces)
 {
-  Pair pair{box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 2})};
+  PiecePair pair{box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 2})};
   pair.floor = -1;
   pair.contact.first_voxels = 20;
   pair.contact.second_voxels = 40;
@@ -233,7 +233,7 @@ TEST(JoiningFeatures, ContactsAreMeasuredByVoxelsAndPlaces)
 
 TEST(JoiningFeatures, PiecesThatDoNotTouchSaySo)
 {
-  const Pair pair{box({0, 0, 0}, {1, 1, 1}), box({2, 0, 1}, {3, 1, 2})};
+  const PiecePair pair{box({0, 0, 0}, {1, 1, 1}), box({2, 0, 1}, {3, 1, 2})};
   expectFeatures(pair.features(),
                  {{"touching share, a", 0},
                   {"share of touching, a", 0},
@@ -252,7 +252,7 @@ TEST(JoiningFeatures, PiecesThatDoNotTouchSaySo)
 
 TEST(JoiningFeatures, BendsAndGapsAreMeans)
 {
-  Pair pair{box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})};
+  PiecePair pair{box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})};
   auto& contact = pair.contact;
   for (const double bend : {10.0, 10.0, 40.0, -20.0}) {
     contact.bends += 1;
@@ -275,7 +275,7 @@ TEST(JoiningFeatures, BendsAndGapsAreMeans)
 
 TEST(JoiningFeatures, VotesAreComparedPerVoxel)
 {
-  Pair pair{box({0, 0, 0}, {1, 1, 1}), box({2, 0, 0}, {3, 1, 1})};
+  PiecePair pair{box({0, 0, 0}, {1, 1, 1}), box({2, 0, 0}, {3, 1, 1})};
   const auto without = pair.features();
   for (auto i = indexOf("likeness of votes"); i <= indexOf("middles of b off a"); ++i)
     EXPECT_EQ(without[i], 0) << joiningFeatureNames()[i];
@@ -290,27 +290,28 @@ TEST(JoiningFeatures, VotesAreComparedPerVoxel)
   for (const double x : {0.4, 0.6}) // spread by 0.1 about their mean
     pair.a.votes.middles.add({x, 0.5, 0.5});
   pair.b.votes.middles.add({1.5, 0.5, 0.5});
-  expectFeatures(pair.features(),
-                 {{"likeness of votes",
-                   std::sqrt(0.02) + std::sqrt(0.64 * 0.36) + std::sqrt(0.16 * 0.24)},
-                  {"same vote", 0.02 + 0.64 * 0.36 + 0.16 * 0.24},
-                  {"votes for the building, a", 0.2},
-                  {"votes for the building, b", 0.4},
-                  {"most votes for an object, a", 0.64},
-                  {"most votes for an object, b", 0.36},
-                  {"distance of middles", 1},
-                  {"distance of middles over their spreads", 1 / (0.1 + voxel_size)},
-                  {"spread of middles, a", 0.1},
-                  {"spread of middles, b", 0},
-                  {"middles of a off b", 2},
-                  {"middles of b off a", 1}});
+  expectFeatures(
+      pair.features(),
+      {{"likeness of votes",
+        std::sqrt(0.02) + std::sqrt(0.64 * 0.36) + std::sqrt(0.16 * 0.24)},
+       {"same vote", 0.02 + 0.64 * 0.36 + 0.16 * 0.24},
+       {"votes for the building, a", 0.2},
+       {"votes for the building, b", 0.4},
+       {"most votes for an object, a", 0.64},
+       {"most votes for an object, b", 0.36},
+       {"distance of middles", 1},
+       {"distance of middles over their spreads", 1 / (0.1 + pair_voxel_size)},
+       {"spread of middles, a", 0.1},
+       {"spread of middles, b", 0},
+       {"middles of a off b", 2},
+       {"middles of b off a", 1}});
 }
 
 TEST(JoiningFeatures, OutlinesLieWithinARectangle)
 {
   // Squares along a diagonal: together a hexagon of 5 square metres, in a rectangle of
   // 3 sqrt(2) x sqrt(2), with 2 sqrt(2) between their middles.
-  Pair pair{box({0, 0, 0}, {1, 1, 1}), box({2, 2, 0}, {3, 3, 1})};
+  PiecePair pair{box({0, 0, 0}, {1, 1, 1}), box({2, 2, 0}, {3, 3, 1})};
   for (int side = 0; side < 2; ++side) {
     expectFeatures(pair.features(),
                    {{"off the middle, least", 0},
@@ -320,10 +321,10 @@ TEST(JoiningFeatures, OutlinesLieWithinARectangle)
     std::swap(pair.a, pair.b);
   }
   // Together 4 m x 1 m; their middles are 3 m apart along it, 0.25 m across.
-  const Pair along{box({0, 0, 0}, {1, 0.5f, 1}), box({3, 0, 0}, {4, 1, 1})};
+  const PiecePair along{box({0, 0, 0}, {1, 0.5f, 1}), box({3, 0, 0}, {4, 1, 1})};
   expectFeatures(along.features(),
                  {{"off the middle, least", 0.25}, {"off the middle, most", 0.75}});
-  const Pair within{box({1, 1, 0}, {2, 2, 1}), box({0, 0, 0}, {3, 3, 1})};
+  const PiecePair within{box({1, 1, 0}, {2, 2, 1}), box({0, 0, 0}, {3, 3, 1})};
   expectFeatures(within.features(),
                  {{"off the middle, least", 0},
                   {"off the middle, most", 0},
@@ -335,7 +336,7 @@ TEST(JoiningFeatures, OutlinesLieWithinARectangle)
 
 TEST(JoiningFeatures, TellWhatIsSeenBetweenAndBelow)
 {
-  Pair pair{box({0, 0, 0.6f}, {1, 1, 0.72f}), box({2, 0, 0.6f}, {3, 1, 0.72f})};
+  PiecePair pair{box({0, 0, 0.6f}, {1, 1, 0.72f}), box({2, 0, 0.6f}, {3, 1, 0.72f})};
   Places voxels;
   for (int i = 0; i < 100; ++i)
     for (int j = 0; j < 34; ++j) {
@@ -345,7 +346,7 @@ TEST(JoiningFeatures, TellWhatIsSeenBetweenAndBelow)
       if (x > 1.02f && x < 1.5f)
         voxels.emplace_back(x, y, 0.66f);
     }
-  pair.columns = {voxels, 0, voxel_size};
+  pair.columns = {voxels, 0, pair_voxel_size};
   expectFeatures(pair.features(),
                  {{"gap of outlines", 1.0 / 3},
                   {"open gap", 0.5 / 3},

@@ -28,11 +28,11 @@ expectFinite(const JoiningFeatures& features)
 }
 
 /** Two pieces of random places on two leaning plates with a contact between them. */
-Pair
+PiecePair
 randomPair(std::mt19937& rng, const Eigen::Vector3f& shift, const Eigen::Matrix3f& turn)
 {
   const auto random = [&] { return static_cast<float>(rng() % 2001) / 1000 - 1; };
-  Pair pair;
+  PiecePair pair;
   for (auto* piece : {&pair.a, &pair.b}) {
     const float slope = random(), side = random();
     const Eigen::Vector3f size(random(), random(), random());
@@ -142,7 +142,7 @@ TEST(JoiningInvariance, AreFiniteForTheSmallestPieces)
   for (const auto& a : pieces)
     for (const auto& b : pieces)
       for (const auto& contact : {PieceContact(), touching}) {
-        const auto features = Pair{a, b, contact}.features();
+        const auto features = PiecePair{a, b, contact}.features();
         expectFinite(features);
         EXPECT_GE(features[indexOf("air over smaller")], -2);
         EXPECT_LE(features[indexOf("air over smaller")], 20);

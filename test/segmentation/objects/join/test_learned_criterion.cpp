@@ -48,7 +48,7 @@ TEST(LearnedCriterion, AsksItsTrees)
 
 TEST(LearnedCriterion, BundledTreesTellHalvesOfATableTopFromTwoObjects)
 {
-  const float voxel = static_cast<float>(voxel_size);
+  const float voxel = static_cast<float>(pair_voxel_size);
   const auto plate = [voxel](float x, float y, float z) { // 60 x 80 cm
     Places places;
     for (float u = x; u < x + 0.6f - voxel / 2; u += voxel)
@@ -62,13 +62,13 @@ TEST(LearnedCriterion, BundledTreesTellHalvesOfATableTopFromTwoObjects)
     for (const auto& place : plate(x, 0, 0))
       seen.push_back(place);
   const auto pairOf = [&](const Places& a, const Places& b) {
-    Pair pair;
+    PiecePair pair;
     pair.a = pieceOf(a, up, 1, voxel / 2);
     pair.b = pieceOf(b, up, 1, voxel / 2);
     auto all = seen; // floor all around
     all.insert(all.end(), a.begin(), a.end());
     all.insert(all.end(), b.begin(), b.end());
-    pair.columns = {all, 0, voxel_size};
+    pair.columns = {all, 0, pair_voxel_size};
     pair.contact.near_cells = 20;
     return pair;
   };
@@ -81,7 +81,7 @@ TEST(LearnedCriterion, BundledTreesTellHalvesOfATableTopFromTwoObjects)
   contact.bends = 20;
   contact.bend_sum = -20;
   contact.bend_squares = 40;
-  contact.gap = contact.near_cells > 0 ? 3 * voxel_size : 0;
+  contact.gap = contact.near_cells > 0 ? 3 * pair_voxel_size : 0;
   contact.near_in_line = 20;
   auto apart = pairOf(plate(0, 0, 0.72f), plate(0.72f, 0.3f, 0.4f));
   apart.contact.gap = 0.17;

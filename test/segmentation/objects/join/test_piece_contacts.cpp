@@ -25,17 +25,17 @@ areNeighbors(std::uint64_t key_a, std::uint64_t key_b)
 }
 
 /** What contacts of all pairs of voxels hold, and bends. */
-std::map<Pair, PieceContact>
+std::map<PieceNumbers, PieceContact>
 contactsOf(const Scene& scene)
 {
-  std::map<Pair, PieceContact> contacts;
+  std::map<PieceNumbers, PieceContact> contacts;
   const auto of = [&](std::uint32_t a, std::uint32_t b) -> PieceContact& {
     return contacts[std::minmax(a, b)];
   };
   const auto frame = frameOf(scene);
   const auto& voxels = scene.voxels;
   const auto& pieces = scene.piece_of_voxel;
-  std::map<Pair, std::set<std::uint32_t>> touching; // by piece and other piece
+  std::map<PieceNumbers, std::set<std::uint32_t>> touching; // by piece and other piece
   Labels loose;
   for (std::uint32_t v = 0; v < voxels.size(); ++v)
     if (scene.plane_of_voxel[v] == 0)
@@ -82,7 +82,7 @@ contactsOf(const Scene& scene)
 
 /** The number of cells and the gap of each pair that is near. */
 void
-addNear(const Scene& scene, std::map<Pair, PieceContact>& contacts)
+addNear(const Scene& scene, std::map<PieceNumbers, PieceContact>& contacts)
 {
   struct Share {
     Eigen::Vector3d place{0, 0, 0}, normal{0, 0, 0};
@@ -97,7 +97,7 @@ addNear(const Scene& scene, std::map<Pair, PieceContact>& contacts)
       positions.push_back(frame * scene.voxels.centroids[v]);
     }
   const auto cells = groupByCell(positions, 3 * voxel_size);
-  std::map<Pair, Share> shares; // by cell and piece
+  std::map<PieceNumbers, Share> shares; // by cell and piece
   for (std::size_t i = 0; i < loose.size(); ++i) {
     auto& share = shares[{cells.cell_of_point[i], scene.piece_of_voxel[loose[i]]}];
     share.place += positions[i].cast<double>();

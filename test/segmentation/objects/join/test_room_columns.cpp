@@ -17,7 +17,7 @@ using namespace pcl::indoor::test;
 
 namespace {
 
-constexpr double voxel_size = 0.05, cell = 0.01; // m, m^2 of a column
+constexpr double column_voxel_size = 0.05, cell = 0.01; // m, m^2 of a column
 
 /** Voxels in the middles of columns, x from 0 to 1.5 m, y from 0 to 1. */
 void
@@ -56,7 +56,7 @@ const KDop16 left = rectangle(0, 0, 0.5f, 1), right = rectangle(1, 0, 1.5f, 1);
 
 TEST(RoomColumns, FloorIsSeenBetweenLegs)
 {
-  const RoomColumns room(twoTables(), 0, voxel_size);
+  const RoomColumns room(twoTables(), 0, column_voxel_size);
   EXPECT_NEAR(room.areaOfFloor(left), 20 * cell + cell, 1e-9); // and the corner
   EXPECT_NEAR(room.areaOfFloor(right), 50 * cell, 1e-9);
   EXPECT_NEAR(room.areaOfFloor(rectangle(0.32f, 0.22f, 0.48f, 0.38f)), 4 * cell, 1e-9);
@@ -65,7 +65,7 @@ TEST(RoomColumns, FloorIsSeenBetweenLegs)
 
 TEST(RoomColumns, BetweenTablesTheFloorIsOpen)
 {
-  const RoomColumns room(twoTables(), 0, voxel_size);
+  const RoomColumns room(twoTables(), 0, column_voxel_size);
   for (const RoomColumns::Heights heights :
        {RoomColumns::Heights{0.6, 0.8}, {0.8, 0.6}}) {
     const auto gap = room.areaBetween(left, right, heights);
@@ -79,7 +79,7 @@ TEST(RoomColumns, WhatStandsBetweenFillsTheGapAtItsHeights)
   auto voxels = twoTables();
   addLevel(0.5f, 0.7f, 0.7f, voxels);
   addLevel(0.8f, 0.9f, 0.3f, voxels);
-  const RoomColumns room(voxels, 0, voxel_size);
+  const RoomColumns room(voxels, 0, column_voxel_size);
   const auto high = room.areaBetween(left, right, {0.6, 0.8});
   EXPECT_NEAR(high.filled, 20 * cell, 1e-9);
   EXPECT_NEAR(high.open, 30 * cell, 1e-9);
@@ -97,7 +97,7 @@ TEST(RoomColumns, WhatWasNotSeenIsNeitherOpenNorFilled)
   addLevel(0, 0.5f, 0.7f, voxels);
   addLevel(1, 1.5f, 0.7f, voxels);
   const auto gap =
-      RoomColumns(voxels, 0, voxel_size).areaBetween(left, right, {0.6, 0.8});
+      RoomColumns(voxels, 0, column_voxel_size).areaBetween(left, right, {0.6, 0.8});
   EXPECT_EQ(gap.open, 0);
   EXPECT_EQ(gap.filled, 0);
 }
@@ -107,7 +107,8 @@ TEST(RoomColumns, StepsEndAtTheLowestAndTheHighest)
   Places voxels = corner(), far_up = corner();
   addLevel(0, 1.5f, -3, voxels);
   addLevel(0, 1.5f, 50, far_up);
-  const RoomColumns low(voxels, 0, voxel_size), high(far_up, 0, voxel_size);
+  const RoomColumns low(voxels, 0, column_voxel_size),
+      high(far_up, 0, column_voxel_size);
   EXPECT_NEAR(low.areaOfFloor(left), 50 * cell, 1e-9)
       << "what is lower counts as floor";
   EXPECT_NEAR(high.areaOfFloor(left), cell, 1e-9);
@@ -121,7 +122,8 @@ TEST(RoomColumns, AreTheSameWhereverTheRoomIs)
   const Eigen::Vector3f shift(100, -200, 7);
   for (auto& voxel : moved)
     voxel += shift;
-  const RoomColumns here(twoTables(), 0, voxel_size), there(moved, 7, voxel_size);
+  const RoomColumns here(twoTables(), 0, column_voxel_size),
+      there(moved, 7, column_voxel_size);
   const auto outline = rectangle(100.02f, -199.98f, 100.48f, -199.02f);
   EXPECT_NEAR(here.areaOfFloor(rectangle(0.02f, 0.02f, 0.48f, 0.98f)),
               there.areaOfFloor(outline),
@@ -165,7 +167,7 @@ TEST(RoomColumns, AgreeWithCountingByTheLetter)
       filled += has_between;
       open += has_below && !has_between;
     }
-    const RoomColumns room(voxels, 0, voxel_size);
+    const RoomColumns room(voxels, 0, column_voxel_size);
     const auto gap = room.areaBetween(a, b, {0.6, 0.9});
     EXPECT_NEAR(room.areaOfFloor(a), floor * cell, 1e-9);
     EXPECT_NEAR(gap.open, open * cell, 1e-9);

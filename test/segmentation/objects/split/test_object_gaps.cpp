@@ -44,7 +44,7 @@ aboutTheVertical(float angle)
 
 /** All points of one segment in the input. */
 std::vector<std::uint32_t>
-parted(const ObjectScene& scene, bool leave_out = false)
+partedAtGaps(const ObjectScene& scene, bool leave_out = false)
 {
   std::vector<std::uint32_t> labels(scene.points.size(), 1);
   partAtGaps(scene, std::vector<std::uint8_t>(scene.points.size(), leave_out), labels);
@@ -52,9 +52,9 @@ parted(const ObjectScene& scene, bool leave_out = false)
 }
 
 std::vector<std::uint32_t>
-parted(const LabelledPoints& labelled)
+partedAtGaps(const LabelledPoints& labelled)
 {
-  return parted(sceneOfPoints(labelled.points, 0.03));
+  return partedAtGaps(sceneOfPoints(labelled.points, 0.03));
 }
 
 TEST(ObjectGaps, PartsBookcasesWhicheverWayTheyStand)
@@ -62,7 +62,7 @@ TEST(ObjectGaps, PartsBookcasesWhicheverWayTheyStand)
   for (const float angle : {0.0f, 0.4f, 1.3f, 2.9f}) {
     auto scene = bookcases(3, 0.04f);
     scene.turn(aboutTheVertical(angle));
-    EXPECT_EQ(renamed(parted(scene)), renamed(scene.objects)) << angle;
+    EXPECT_EQ(renamed(partedAtGaps(scene)), renamed(scene.objects)) << angle;
   }
 }
 
@@ -83,13 +83,14 @@ TEST(ObjectGaps, PartsBodiesWhoseSidesHoldMostPoints)
             x + side + random(-0.005f, 0.005f), random(0, 0.6f), random(0, 1.7f));
     scene.objects.resize(scene.points.size(), object);
   }
-  EXPECT_EQ(renamed(parted(sceneOfPoints(scene.points, 0.05))), renamed(scene.objects));
+  EXPECT_EQ(renamed(partedAtGaps(sceneOfPoints(scene.points, 0.05))),
+            renamed(scene.objects));
 }
 
 TEST(ObjectGaps, LeavesWhatTouchesWhole)
 {
-  EXPECT_EQ(segmentCount(parted(bookcases(2, 0.002f))), 1u);
-  EXPECT_EQ(segmentCount(parted(bookcases(1, 0))), 1u);
+  EXPECT_EQ(segmentCount(partedAtGaps(bookcases(2, 0.002f))), 1u);
+  EXPECT_EQ(segmentCount(partedAtGaps(bookcases(1, 0))), 1u);
 }
 
 TEST(ObjectGaps, LeavesWhatIsBridgedWhole)
@@ -106,7 +107,7 @@ TEST(ObjectGaps, LeavesWhatIsBridgedWhole)
         0.01f,
         0.003f,
         rng);
-  EXPECT_EQ(segmentCount(parted(scene)), 2u);
+  EXPECT_EQ(segmentCount(partedAtGaps(scene)), 2u);
   scene.addRectangle( // and what is below them
       {0, 0, -1.8f},
       {1.64f, 0, 0},
@@ -116,7 +117,7 @@ TEST(ObjectGaps, LeavesWhatIsBridgedWhole)
       0.01f,
       0.003f,
       rng);
-  EXPECT_EQ(segmentCount(parted(scene)), 1u);
+  EXPECT_EQ(segmentCount(partedAtGaps(scene)), 1u);
 }
 
 TEST(ObjectGaps, LeavesTheLinesOfAScannerTogether)
@@ -127,7 +128,7 @@ TEST(ObjectGaps, LeavesTheLinesOfAScannerTogether)
       for (int i = 0; i < 400; ++i)
         lines.points.emplace_back(
             static_cast<float>(line) * distance, 0.0f, static_cast<float>(i) * 0.005f);
-    EXPECT_EQ(segmentCount(parted(lines)), 1u) << distance;
+    EXPECT_EQ(segmentCount(partedAtGaps(lines)), 1u) << distance;
   }
 }
 
@@ -152,7 +153,7 @@ TEST(ObjectGaps, LeavesTheRingsOfAScannerTogether)
 {
   for (const float distance : {0.035f, 0.045f, 0.06f})
     for (const float per_metre : {33.0f, 50.0f, 100.0f})
-      EXPECT_EQ(segmentCount(parted(rings(distance, per_metre))), 1u)
+      EXPECT_EQ(segmentCount(partedAtGaps(rings(distance, per_metre))), 1u)
           << distance << " m, " << per_metre << " per metre";
 }
 
@@ -183,9 +184,9 @@ rowWithGap(int in_gap)
 TEST(ObjectGaps, NeedsFewPointsInTheGapForTheirChance)
 {
   // 40 are expected: a quarter of them, less k, less twice the root of k + 1
-  EXPECT_EQ(segmentCount(parted(rowWithGap(0))), 2u);
-  EXPECT_EQ(segmentCount(parted(rowWithGap(5))), 2u); // 10 - 5 - 4.90
-  EXPECT_EQ(segmentCount(parted(rowWithGap(6))), 1u); // 10 - 6 - 5.29
+  EXPECT_EQ(segmentCount(partedAtGaps(rowWithGap(0))), 2u);
+  EXPECT_EQ(segmentCount(partedAtGaps(rowWithGap(5))), 2u); // 10 - 5 - 4.90
+  EXPECT_EQ(segmentCount(partedAtGaps(rowWithGap(6))), 1u); // 10 - 6 - 5.29
 }
 
 TEST(ObjectGaps, MustBeWiderThanOtherEmptyStretches)
@@ -193,9 +194,9 @@ TEST(ObjectGaps, MustBeWiderThanOtherEmptyStretches)
   // Two, then three slices are empty beside the four of the gap.
   std::vector<int> counts = {20, 20, 20, 0,  0,  20, 20, 20, 0,  0,
                              0,  0,  9,  20, 20, 20, 20, 20, 20, 20};
-  EXPECT_EQ(segmentCount(parted(rowOfSlices(counts))), 2u);
+  EXPECT_EQ(segmentCount(partedAtGaps(rowOfSlices(counts))), 2u);
   counts[2] = 0;
-  EXPECT_EQ(segmentCount(parted(rowOfSlices(counts))), 1u);
+  EXPECT_EQ(segmentCount(partedAtGaps(rowOfSlices(counts))), 1u);
 }
 
 TEST(ObjectGaps, FollowsTheDirectionUp)
@@ -205,17 +206,17 @@ TEST(ObjectGaps, FollowsTheDirectionUp)
       Eigen::AngleAxisf(1.1f, Eigen::Vector3f(2, -1, 1).normalized())
           .toRotationMatrix();
   scene.turn(rotation);
-  EXPECT_EQ(segmentCount(parted(scene)), 1u);
+  EXPECT_EQ(segmentCount(partedAtGaps(scene)), 1u);
   auto upright = sceneOfPoints(scene.points, 0.03);
   upright.up = rotation * Eigen::Vector3f::UnitZ();
-  EXPECT_EQ(renamed(parted(upright)), renamed(scene.objects));
+  EXPECT_EQ(renamed(partedAtGaps(upright)), renamed(scene.objects));
 }
 
 TEST(ObjectGaps, KeepsOtherSegmentsAndPointsThatAreLeftOut)
 {
   const auto labelled = bookcases(2, 0.04f);
   const auto scene = sceneOfPoints(labelled.points, 0.03);
-  EXPECT_EQ(segmentCount(parted(scene, true)), 1u);
+  EXPECT_EQ(segmentCount(partedAtGaps(scene, true)), 1u);
   auto labels = labelled.objects; // 1 and 2
   partAtGaps(scene, std::vector<std::uint8_t>(labels.size(), 0), labels);
   EXPECT_EQ(labels, labelled.objects);
@@ -228,32 +229,33 @@ TEST(ObjectGaps, DependsNeitherOnTheOrderNorOnThreads)
   const auto order = shuffledOrder(scene.points.size(), rng);
   auto with_threads = sceneOfPoints(scene.points, 0.03);
   with_threads.threads = 1;
-  const auto labels = parted(with_threads), other = parted(scene.reordered(order));
+  const auto labels = partedAtGaps(with_threads),
+             other = partedAtGaps(scene.reordered(order));
   for (std::size_t i = 0; i < order.size(); ++i)
     ASSERT_EQ(other[i], labels[order[i]]);
   with_threads.threads = 3;
-  EXPECT_EQ(parted(with_threads), labels);
+  EXPECT_EQ(partedAtGaps(with_threads), labels);
 }
 
 TEST(ObjectGaps, BearsPointsThatAreFewOrEqual)
 {
   LabelledPoints scene;
-  EXPECT_TRUE(parted(scene).empty());
+  EXPECT_TRUE(partedAtGaps(scene).empty());
   scene.points.assign(1000, {1, 2, 3});
-  EXPECT_EQ(segmentCount(parted(scene)), 1u);
+  EXPECT_EQ(segmentCount(partedAtGaps(scene)), 1u);
   scene.points.assign(1, {1, 2, 3});
-  EXPECT_EQ(segmentCount(parted(scene)), 1u);
+  EXPECT_EQ(segmentCount(partedAtGaps(scene)), 1u);
 }
 
 TEST(ObjectGaps, LeavesWhatReachesTooFarWhole)
 {
   auto scene = bookcases(2, 0.04f);
-  EXPECT_EQ(segmentCount(parted(scene)), 2u);
+  EXPECT_EQ(segmentCount(partedAtGaps(scene)), 2u);
   for (const float far : {1e5f, 1e9f}) {
     scene.points.emplace_back(far, 0, 0);
     auto wide = sceneOfPoints(scene.points, 1e4);
     wide.voxel_size = 0.03;
-    EXPECT_EQ(segmentCount(parted(wide)), 1u) << far;
+    EXPECT_EQ(segmentCount(partedAtGaps(wide)), 1u) << far;
   }
 }
 

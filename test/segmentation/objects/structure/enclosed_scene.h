@@ -16,7 +16,7 @@
 namespace pcl::indoor {
 namespace test {
 
-constexpr double voxel_size = 0.03;
+constexpr double enclosed_voxel_size = 0.03;
 constexpr float spacing = 0.015f, noise = 0.002f;
 constexpr std::uint32_t furniture = 4;
 using Box = Eigen::AlignedBox3f;
@@ -108,12 +108,12 @@ struct EnclosedScene {
     ObjectScene scene;
     scene.points = labelled.points;
     scene.planes = planes;
-    scene.voxel_size = voxel_size;
+    scene.voxel_size = enclosed_voxel_size;
     Labels plane_of_point;
     for (std::size_t i = 0; i < labelled.points.size(); ++i)
       plane_of_point.push_back(isOfPlane(i) ? labelled.objects[i] : 0);
     scene.voxels = separateVoxels(
-        labelled.points, plane_of_point, voxel_size, scene.plane_of_voxel);
+        labelled.points, plane_of_point, enclosed_voxel_size, scene.plane_of_voxel);
     estimateNormals(labelled.points, scene.voxels, 1);
     auto segments = labelled.objects;
     const auto changed = yieldEnclosed(scene, segments);

@@ -16,7 +16,7 @@ namespace {
 enum Bars { left_bar = 1, right_bar = 2, upper_bar = 4, lower_bar = 8 };
 constexpr int all_bars = left_bar | right_bar | upper_bar | lower_bar;
 constexpr int jambs_and_head = left_bar | right_bar | upper_bar;
-constexpr float bar = 0.06f; // wide
+constexpr float bar_width = 0.06f;
 
 /** Bars around an opening of the wall along x. */
 void
@@ -29,13 +29,15 @@ addFrame(Scene& scene, const Box& opening, int bars)
     scene.addFaces(boxAt(corner, {along_x, depth, along_z}), tube | front | back);
   };
   if (bars & left_bar)
-    add({low.x() - bar, low.y(), low.z()}, bar, height);
+    add({low.x() - bar_width, low.y(), low.z()}, bar_width, height);
   if (bars & right_bar)
-    add({high.x(), low.y(), low.z()}, bar, height);
+    add({high.x(), low.y(), low.z()}, bar_width, height);
   if (bars & upper_bar)
-    add({low.x() - bar, low.y(), high.z()}, width + 2 * bar, bar);
+    add({low.x() - bar_width, low.y(), high.z()}, width + 2 * bar_width, bar_width);
   if (bars & lower_bar)
-    add({low.x() - bar, low.y(), low.z() - bar}, width + 2 * bar, bar);
+    add({low.x() - bar_width, low.y(), low.z() - bar_width},
+        width + 2 * bar_width,
+        bar_width);
 }
 
 /** The share of the wall's points within the opening that went to the frame. */
@@ -90,10 +92,10 @@ TEST(EnclosedOpenings, AFlatFrameGetsWhatIsWithinIt)
       scene.addFaces(boxAt({low.x() + x, 0.04f, low.z() + z}, {width, 0, height}),
                      front);
     };
-    sheet(-bar, -bar, bar, size.z() + 2 * bar);
-    sheet(size.x(), -bar, bar, size.z() + 2 * bar);
-    sheet(0, -bar, size.x(), bar);
-    sheet(0, size.z(), size.x(), bar);
+    sheet(-bar_width, -bar_width, bar_width, size.z() + 2 * bar_width);
+    sheet(size.x(), -bar_width, bar_width, size.z() + 2 * bar_width);
+    sheet(0, -bar_width, size.x(), bar_width);
+    sheet(0, size.z(), size.x(), bar_width);
     if (has_pane)
       sheet(0, 0, size.x(), size.z());
     EXPECT_EQ(shareTaken(scene, opening), 1) << has_pane;
@@ -105,7 +107,8 @@ TEST(EnclosedOpenings, AFrameWithoutABarDoesNot)
   for (const int missing : {left_bar, right_bar, upper_bar, lower_bar}) {
     Scene scene;
     addFrame(scene, window(0.1f), all_bars & ~missing);
-    EXPECT_LT(shareTaken(scene, window(0.1f)), 0.4) << "only a rim, bar " << missing;
+    EXPECT_LT(shareTaken(scene, window(0.1f)), 0.4)
+        << "only a rim, bar_width " << missing;
   }
 }
 

@@ -26,7 +26,7 @@ isBehind(const Box& box, const Eigen::Vector3f& place, std::uint32_t plane)
   if (plane == floor_plane)
     return false;
   constexpr int axis_of[] = {2, 0, 1};
-  const auto rim = static_cast<float>(voxel_size);
+  const auto rim = static_cast<float>(enclosed_voxel_size);
   for (int axis = 0; axis < 3; ++axis) {
     const bool at_plane = box.min()[axis] == 0;
     if (axis == axis_of[plane - 1] && !at_plane)
@@ -54,7 +54,8 @@ expectWithin(const Scene& scene,
     if (is_inside) {
       ASSERT_EQ(segments[i], object) << places[i].transpose();
     }
-    else if (scene.isOfPlane(i) && !widened(box, voxel_size).contains(places[i])) {
+    else if (scene.isOfPlane(i) &&
+             !widened(box, enclosed_voxel_size).contains(places[i])) {
       ASSERT_EQ(segments[i], before) << places[i].transpose();
     }
     inside += is_inside;
@@ -104,7 +105,7 @@ TEST(EnclosedStructure, AnOpenShelfDoesNot)
   Scene scene;
   scene.addFaces(cabinet, tube);
   scene.addFaces(boxAt({0.6f, 0, 0.85f}, {0.8f, 0.4f, 0.02f}), top | bottom | front);
-  EXPECT_LE(farthestTaken(scene, scene.yielded()), 2 * voxel_size);
+  EXPECT_LE(farthestTaken(scene, scene.yielded()), 2 * enclosed_voxel_size);
 }
 
 TEST(EnclosedStructure, NorDoesABoxWithoutASide)
@@ -112,7 +113,8 @@ TEST(EnclosedStructure, NorDoesABoxWithoutASide)
   for (const int missing : {left, right, top, bottom}) {
     Scene scene;
     scene.addFaces(cabinet, (tube | front) & ~missing);
-    EXPECT_LE(farthestTaken(scene, scene.yielded()), 2 * voxel_size) << missing;
+    EXPECT_LE(farthestTaken(scene, scene.yielded()), 2 * enclosed_voxel_size)
+        << missing;
   }
 }
 
@@ -124,7 +126,8 @@ TEST(EnclosedStructure, WhatIsSeenUnderTablesAndBedsRemains)
         scene.addFaces(boxAt({x, y, 0}, {0.05f, 0.05f, body.min().z()}),
                        left | right | front | back);
   };
-  constexpr double reach = 0.05 + 2 * voxel_size; // as wide as a leg, with its rim
+  constexpr double reach =
+      0.05 + 2 * enclosed_voxel_size; // as wide as a leg, with its rim
   Scene table;
   const Box plate = boxAt({0.5f, 0, 0.7f}, {1.2f, 0.7f, 0.03f});
   table.addFaces(plate, tube | front | back);
@@ -155,7 +158,7 @@ TEST(EnclosedStructure, OtherPlanesCloseABox)
   const Box away = boxAt({0.3f, 0, 0}, {0.9f, 0.6f, 1.6f});
   beside_the_corner.addFaces(away, right | front | top);
   EXPECT_LE(farthestTaken(beside_the_corner, beside_the_corner.yielded()),
-            2 * voxel_size);
+            2 * enclosed_voxel_size);
 }
 
 TEST(EnclosedStructure, ABoxMustTouchThePlane)
@@ -189,7 +192,7 @@ TEST(EnclosedStructure, WhatStandsWithinAWallGetsItsFaceBack)
   expectWithin(scene, scene.labelled.points, cabinet, scene.yielded());
   Scene hole;
   hole.addFaces(niche, tube);
-  EXPECT_LE(farthestTaken(hole, hole.yielded()), 2 * voxel_size);
+  EXPECT_LE(farthestTaken(hole, hole.yielded()), 2 * enclosed_voxel_size);
 }
 
 TEST(EnclosedStructure, WhatLiesBehindAPlaneDoesNotCloseABox)
@@ -215,7 +218,8 @@ TEST(EnclosedStructure, OfTwoTheSmallerGetsIt)
     for (std::size_t i = 0; i < segments.size(); ++i)
       if (segments[i] == small && scene.isOfPlane(i)) {
         ++of_small;
-        EXPECT_TRUE(widened(inner, voxel_size).contains(scene.labelled.points[i]));
+        EXPECT_TRUE(
+            widened(inner, enclosed_voxel_size).contains(scene.labelled.points[i]));
         segments[i] = large;
       }
     EXPECT_GT(of_small, 400u);

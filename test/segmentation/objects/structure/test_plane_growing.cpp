@@ -18,17 +18,17 @@ using namespace pcl::indoor::test;
 
 namespace {
 
-constexpr double voxel_size = 0.04;
+constexpr double growing_voxel_size = 0.04;
 
 std::vector<StructurePlane>
 planesOf(const LabelledPoints& scene, SurfaceVoxels& voxels)
 {
-  voxels = surfaceVoxels(scene.points, {}, voxel_size);
+  voxels = surfaceVoxels(scene.points, {}, growing_voxel_size);
   estimateNormals(scene.points, voxels, 1);
   for (auto& normal : voxels.normals) // all are seen from above and before
     if (normal.dot(Eigen::Vector3f(0.1f, -1, 1)) < 0)
       normal *= -1;
-  return growPlanes(voxels, voxel_size, 0.03f);
+  return growPlanes(voxels, growing_voxel_size, 0.03f);
 }
 
 void
@@ -65,7 +65,7 @@ TEST(PlaneGrowing, RegionsOfOnePlaneAreOneHoweverFarApart)
     for (const auto v : plane.voxels) {
       ++times[v];
       EXPECT_LE(std::abs(plane.heightOf(voxels.centroids[v].cast<double>())),
-                1.5 * voxel_size);
+                1.5 * growing_voxel_size);
       if (&plane == &planes[0]) {
         lowest = std::min<double>(lowest, voxels.centroids[v].x());
         highest = std::max<double>(highest, voxels.centroids[v].x());
@@ -91,5 +91,5 @@ TEST(PlaneGrowing, WhatIsSmallOrRoughIsNone)
   scene.addRectangle({1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1, 0.02f, 0.15f, rng);
   SurfaceVoxels voxels;
   EXPECT_TRUE(planesOf(scene, voxels).empty());
-  EXPECT_TRUE(growPlanes(surfaceVoxels({}, {}, 1), voxel_size, 0.03f).empty());
+  EXPECT_TRUE(growPlanes(surfaceVoxels({}, {}, 1), growing_voxel_size, 0.03f).empty());
 }

@@ -33,7 +33,7 @@ const PlaneShadow::Side sides[] = {PlaneShadow::LowColumns,
                                    PlaneShadow::HighRows};
 
 /** A small raster with marks, some of them outside. */
-struct Scene {
+struct ShadowScene {
   PlaneCell low{}, high{};
   std::vector<Mark> marks;
   std::vector<End> ends;
@@ -71,13 +71,13 @@ struct Scene {
   }
 };
 
-Scene
+ShadowScene
 randomScene(std::int64_t max_size, std::mt19937& rng)
 {
   const auto random = [&](std::int64_t low, std::int64_t high) {
     return low + static_cast<std::int64_t>(rng() % static_cast<unsigned>(high - low));
   };
-  Scene scene;
+  ShadowScene scene;
   for (int k = 0; k < 2; ++k) {
     scene.low[k] = random(-20, 20);
     scene.high[k] = scene.low[k] + random(0, max_size);
@@ -100,7 +100,7 @@ randomScene(std::int64_t max_size, std::mt19937& rng)
 /** The cells of a raster that are open, found by looking at all until none changes. */
 class OpenCells {
 public:
-  explicit OpenCells(const Scene& scene)
+  explicit OpenCells(const ShadowScene& scene)
   : scene_(scene)
   {
     for (bool changes = true; changes;) {
@@ -133,12 +133,12 @@ private:
            opens(0, -1, PlaneShadow::LowRows) || opens(0, 1, PlaneShadow::HighRows);
   }
 
-  const Scene& scene_;
+  const ShadowScene& scene_;
   std::set<PlaneCell> open_;
 };
 
 std::vector<PlaneCell>
-enclosedCells(const Scene& scene)
+enclosedCells(const ShadowScene& scene)
 {
   const OpenCells open(scene);
   const auto is_enclosed = [&](const PlaneCell& cell) {

@@ -19,7 +19,7 @@ using namespace pcl::indoor::test;
 
 namespace {
 
-constexpr double voxel_size = 0.04;
+constexpr double contact_voxel_size = 0.04;
 constexpr float noise = 0.008f; // so the planes reach 14 mm far
 constexpr std::uint32_t wall = 2, cupboard = 3;
 
@@ -56,7 +56,7 @@ struct Apart : ObjectScene {
   explicit Apart(const std::vector<Eigen::Vector3f>& scanned)
   {
     points = scanned;
-    voxel_size = ::voxel_size;
+    voxel_size = contact_voxel_size;
     surroundings = surfaceVoxels(points, {}, voxel_size);
     addNormals(surroundings);
     planes = findRoomStructure(surroundings, voxel_size);
@@ -119,7 +119,7 @@ nearestOfAll(const Apart& scene, std::uint32_t point)
     const Eigen::Vector3d way = position - scene.voxels.centroids[v].cast<double>();
     const double distance = std::abs(scene.voxels.normals[v].cast<double>().dot(way));
     if (scene.plane_of_voxel[v] == 0 && !scene.voxels.normals[v].isZero() &&
-        way.norm() <= 1.5 * voxel_size && distance < least &&
+        way.norm() <= 1.5 * contact_voxel_size && distance < least &&
         std::any_of(cells.points.begin() + cells.offsets[v],
                     cells.points.begin() + cells.offsets[v + 1],
                     [&](auto i) { return touch(scene.surroundings, point, i); })) {

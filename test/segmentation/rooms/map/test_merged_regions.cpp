@@ -18,21 +18,21 @@
 #include <tuple>
 
 using namespace pcl::indoor;
-using Labels = std::vector<std::int32_t>;
+using RegionLabels = std::vector<std::int32_t>;
 
 namespace {
 
 /** mergeOpenRegions() with all borders looked at, and all labels, at each step. */
-Labels
+RegionLabels
 mergedSlowly(std::vector<RegionBorder> borders,
              std::vector<double> section,
              double open_share,
              const StayApart& stay_apart)
 {
-  Labels label(section.size());
+  RegionLabels label(section.size());
   std::iota(label.begin(), label.end(), 0);
   const auto regionsOf = [&](std::int32_t space) {
-    Labels regions;
+    RegionLabels regions;
     for (std::size_t i = 0; i < label.size(); ++i)
       if (label[i] == space)
         regions.push_back(static_cast<std::int32_t>(i));
@@ -154,7 +154,7 @@ TEST(MergedRegions, EqualsBruteForceWithSpacesThatStayApart)
     for (int a = 1; a <= count; ++a)
       section.push_back(0.5 * (1 + rng() % 8));
     const unsigned salt = rng();
-    const auto stay_apart = [salt](const Labels& a, const Labels& b) {
+    const auto stay_apart = [salt](const RegionLabels& a, const RegionLabels& b) {
       return (a.size() * 7 + b.size() * 13 + a.back() + b.back() + salt) % 3 == 0;
     };
     MergeOptions options;

@@ -16,16 +16,16 @@
 
 using pcl::indoor::persistentBasins;
 using pcl::indoor::PixelMap;
-using Labels = std::vector<std::int32_t>;
+using RegionLabels = std::vector<std::int32_t>;
 
 namespace {
 
 /** Numbers 1 ... n in the order of the first pixels; 0 stays. */
-Labels
-numbered(const Labels& labels)
+RegionLabels
+numbered(const RegionLabels& labels)
 {
   std::map<std::int32_t, std::int32_t> names{{0, 0}};
-  Labels result;
+  RegionLabels result;
   for (const auto label : labels)
     result.push_back(
         names.emplace(label, static_cast<std::int32_t>(names.size())).first->second);
@@ -63,7 +63,7 @@ labelUphill(const PixelMap<float>& field,
 
 /** The flooding word by word, for values that are all different: a pixel belongs to the
  * basin uphill of it; joining basins repaints all their pixels. */
-Labels
+RegionLabels
 floodedSlowly(const PixelMap<float>& field, float persistence)
 {
   std::vector<std::size_t> order(field.size());
@@ -71,7 +71,7 @@ floodedSlowly(const PixelMap<float>& field, float persistence)
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return field.values[a] > field.values[b];
   });
-  PixelMap<std::int32_t> labels{field.nx, field.ny, Labels(field.size(), 0)};
+  PixelMap<std::int32_t> labels{field.nx, field.ny, RegionLabels(field.size(), 0)};
   std::vector<float> maximum{0.0f}; // per label; earlier labels are never lower
   for (const std::size_t pixel : order) {
     const float level = field.values[pixel];
@@ -93,7 +93,7 @@ floodedSlowly(const PixelMap<float>& field, float persistence)
 }
 
 /** Components of the positive pixels (8 neighbours), by spreading the smallest name. */
-Labels
+RegionLabels
 componentsBruteForce(const PixelMap<float>& field)
 {
   PixelMap<std::int32_t> labels{field.nx, field.ny, {}};
@@ -189,10 +189,11 @@ TEST(PersistentBasins, LargerPersistenceGivesNotFewerBasins)
 
 TEST(PersistentBasins, PlateausAreOneBasin)
 {
-  EXPECT_EQ(persistentBasins({2, 3, {1, 1, 1, 1, 1, 1}}, {1.0}).values, Labels(6, 1));
+  EXPECT_EQ(persistentBasins({2, 3, {1, 1, 1, 1, 1, 1}}, {1.0}).values,
+            RegionLabels(6, 1));
   // equal maxima with a pass as high as they are
   EXPECT_EQ(persistentBasins({1, 5, {2, 2, 2, 0, 2}}, {1.0}).values,
-            (Labels{1, 1, 1, 0, 2}));
+            (RegionLabels{1, 1, 1, 0, 2}));
 }
 
 TEST(PersistentBasins, PassOnEitherSideOfTheThreshold)
@@ -224,6 +225,6 @@ TEST(PersistentBasins, DoorsAreNarrowUpToTheirWidth)
 TEST(PersistentBasins, EmptyAndOnePixel)
 {
   EXPECT_TRUE(persistentBasins({}, {0.5}).values.empty());
-  EXPECT_EQ(persistentBasins({1, 1, {0.0f}}, {0.5}).values, Labels{0});
-  EXPECT_EQ(persistentBasins({1, 1, {2.0f}}, {1.0}).values, Labels{1});
+  EXPECT_EQ(persistentBasins({1, 1, {0.0f}}, {0.5}).values, RegionLabels{0});
+  EXPECT_EQ(persistentBasins({1, 1, {2.0f}}, {1.0}).values, RegionLabels{1});
 }

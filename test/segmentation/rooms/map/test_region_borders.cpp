@@ -11,7 +11,7 @@
 #include <random>
 
 using namespace pcl::indoor;
-using Labels = std::vector<std::int32_t>;
+using RegionLabels = std::vector<std::int32_t>;
 
 namespace {
 
@@ -31,7 +31,7 @@ struct TwoSpaces {
     occupancy.voxel_size = 0.1;
     occupancy.values.assign(occupancy.shape.size(), 0);
     ceiling = {nx, ny, std::vector<int>(occupancy.shape.size() / 30, ceiling_layer)};
-    labels = free_labels = {nx, ny, Labels(ceiling.size(), 0)};
+    labels = free_labels = {nx, ny, RegionLabels(ceiling.size(), 0)};
     for (int x = 0; x < nx; ++x)
       for (int y = 0; y < ny; ++y) {
         set(x, x, y, y, floor_layer, floor_layer, 1);
@@ -77,7 +77,7 @@ border(std::int32_t a, std::int32_t b, double area, double open)
   return result;
 }
 
-Labels
+RegionLabels
 merged(const std::vector<RegionBorder>& borders,
        const std::vector<double>& section,
        double open_share)
@@ -265,10 +265,10 @@ TEST(MergeOpenRegions, AtTheThreshold)
 {
   const std::vector<RegionBorder> borders{border(1, 2, 4.0, 3.0)};
   // 3 m^2 of the smaller section, 6 m^2
-  EXPECT_EQ(merged(borders, {0, 6, 9}, 0.49), (Labels{0, 1, 1}));
-  EXPECT_EQ(merged(borders, {0, 6, 9}, 0.50), (Labels{0, 1, 2}));
-  EXPECT_EQ(merged(borders, {0, 9, 6}, 0.49), (Labels{0, 1, 1}));
-  EXPECT_EQ(merged(borders, {0, 9, 6}, 0.51), (Labels{0, 1, 2}));
+  EXPECT_EQ(merged(borders, {0, 6, 9}, 0.49), (RegionLabels{0, 1, 1}));
+  EXPECT_EQ(merged(borders, {0, 6, 9}, 0.50), (RegionLabels{0, 1, 2}));
+  EXPECT_EQ(merged(borders, {0, 9, 6}, 0.49), (RegionLabels{0, 1, 1}));
+  EXPECT_EQ(merged(borders, {0, 9, 6}, 0.51), (RegionLabels{0, 1, 2}));
 }
 
 TEST(MergeOpenRegions, NotBelowALintel)
@@ -278,18 +278,18 @@ TEST(MergeOpenRegions, NotBelowALintel)
   MergeOptions options;
   options.open_share = 0.5;
   options.open_height = 0.71;
-  EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, options), (Labels{0, 1, 2}));
+  EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, options), (RegionLabels{0, 1, 2}));
   options.open_height = 0.69; // as below a beam
-  EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, options), (Labels{0, 1, 1}));
+  EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, options), (RegionLabels{0, 1, 1}));
 }
 
 TEST(MergeOpenRegions, ABeamOfAFifthOfTheHeightPartsNothing)
 {
   RegionBorder wide = border(1, 2, 10.0, 8.1);
   wide.opening_area = 10.0;
-  EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, {}), (Labels{0, 1, 1}));
+  EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, {}), (RegionLabels{0, 1, 1}));
   wide.open_area = 7.9;
-  EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, {}), (Labels{0, 1, 2}));
+  EXPECT_EQ(mergeOpenRegions({wide}, {0, 10, 10}, {}), (RegionLabels{0, 1, 2}));
 }
 
 TEST(MergeOpenRegions, DoorsNeedALargerShare)
@@ -299,10 +299,13 @@ TEST(MergeOpenRegions, DoorsNeedALargerShare)
   MergeOptions options;
   options.open_share = 0.5;
   options.door_share = 0.59;
-  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options, 1.1), (Labels{0, 1, 1}));
+  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options, 1.1),
+            (RegionLabels{0, 1, 1}));
   options.door_share = 0.61;
-  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options, 1.1), (Labels{0, 1, 2}));
-  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options, 0.9), (Labels{0, 1, 1}));
+  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options, 1.1),
+            (RegionLabels{0, 1, 2}));
+  EXPECT_EQ(mergeOpenRegions({narrow}, {0, 5, 9}, options, 0.9),
+            (RegionLabels{0, 1, 1}));
 }
 
 TEST(MergeOpenRegions, HeightsOfOpeningsAddUp)
@@ -315,16 +318,18 @@ TEST(MergeOpenRegions, HeightsOfOpeningsAddUp)
   MergeOptions options;
   options.open_share = 0.6;
   options.open_height = 0.75; // 7 of 10 m^2 after 1 and 2 are joined
-  EXPECT_EQ(mergeOpenRegions(borders, {0, 9, 5, 9}, options), (Labels{0, 1, 1, 3}));
+  EXPECT_EQ(mergeOpenRegions(borders, {0, 9, 5, 9}, options),
+            (RegionLabels{0, 1, 1, 3}));
   options.open_height = 0.65;
-  EXPECT_EQ(mergeOpenRegions(borders, {0, 9, 5, 9}, options), (Labels{0, 1, 1, 1}));
+  EXPECT_EQ(mergeOpenRegions(borders, {0, 9, 5, 9}, options),
+            (RegionLabels{0, 1, 1, 1}));
 }
 
 TEST(MergeOpenRegions, NothingToMerge)
 {
-  EXPECT_EQ(merged({}, {}, 0.5), Labels{});
-  EXPECT_EQ(merged({}, {0, 1, 1}, 0.5), (Labels{0, 1, 2}));
-  EXPECT_EQ(merged({border(1, 2, 4, 0)}, {0, 1, 1}, 0.0), (Labels{0, 1, 2}));
+  EXPECT_EQ(merged({}, {}, 0.5), RegionLabels{});
+  EXPECT_EQ(merged({}, {0, 1, 1}, 0.5), (RegionLabels{0, 1, 2}));
+  EXPECT_EQ(merged({border(1, 2, 4, 0)}, {0, 1, 1}, 0.0), (RegionLabels{0, 1, 2}));
 }
 
 TEST(MergeOpenRegions, BordersOfJoinedRegionsAddUp)
@@ -333,9 +338,9 @@ TEST(MergeOpenRegions, BordersOfJoinedRegionsAddUp)
   const std::vector<RegionBorder> borders{
       border(1, 2, 5.0, 5.0), border(1, 3, 2.0, 2.0), border(2, 3, 2.0, 2.0)};
   const std::vector<double> section{0, 5, 5, 5};
-  EXPECT_EQ(merged(borders, section, 0.6), (Labels{0, 1, 1, 1}));
-  EXPECT_EQ(merged({borders[1], borders[2]}, section, 0.6), (Labels{0, 1, 2, 3}));
-  EXPECT_EQ(merged({borders[0], borders[1]}, section, 0.6), (Labels{0, 1, 1, 3}));
+  EXPECT_EQ(merged(borders, section, 0.6), (RegionLabels{0, 1, 1, 1}));
+  EXPECT_EQ(merged({borders[1], borders[2]}, section, 0.6), (RegionLabels{0, 1, 2, 3}));
+  EXPECT_EQ(merged({borders[0], borders[1]}, section, 0.6), (RegionLabels{0, 1, 1, 3}));
 }
 
 TEST(MergeOpenRegions, ASmallSpaceBecomesPartOfTheLargeOne)
@@ -344,11 +349,11 @@ TEST(MergeOpenRegions, ASmallSpaceBecomesPartOfTheLargeOne)
   // The door is large for the niche, but small for the hall and the room.
   const std::vector<RegionBorder> borders{border(1, 2, 2.5, 2.5),
                                           border(2, 3, 2.5, 2.0)};
-  EXPECT_EQ(merged(borders, {0, 10, 2.5, 8}, 0.7), (Labels{0, 1, 1, 3}));
+  EXPECT_EQ(merged(borders, {0, 10, 2.5, 8}, 0.7), (RegionLabels{0, 1, 1, 3}));
   // the same with the niche numbered first
   EXPECT_EQ(
       merged({border(1, 2, 2.5, 2.5), border(1, 3, 2.5, 2.0)}, {0, 2.5, 10, 8}, 0.7),
-      (Labels{0, 1, 1, 3}));
+      (RegionLabels{0, 1, 1, 3}));
 }
 
 TEST(MergeOpenRegions, TheOrderOfBordersDoesNotMatter)

@@ -10,20 +10,17 @@
 
 #include <gtest/gtest.h>
 
+#include "segmentation/rooms/outline/empty_map.h"
+
 #include <cmath>
 #include <random>
 
 using namespace pcl::indoor;
+using pcl::indoor::test::emptyMap;
 
 namespace {
 
 using Line = std::vector<Eigen::Vector2d>;
-
-PixelMap<std::int32_t>
-emptyMap(int nx, int ny)
-{
-  return {nx, ny, std::vector<std::int32_t>(static_cast<std::size_t>(nx * ny), 0)};
-}
 
 /** Points on the sides of a rectangle, with noise across, turned about the origin. */
 Line

@@ -10,19 +10,16 @@
 
 #include <gtest/gtest.h>
 
+#include "segmentation/rooms/outline/empty_map.h"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
 
 using namespace pcl::indoor;
+using pcl::indoor::test::emptyMap;
 
 namespace {
-
-PixelMap<std::int32_t>
-emptyMap(int nx, int ny)
-{
-  return {nx, ny, std::vector<std::int32_t>(static_cast<std::size_t>(nx * ny), 0)};
-}
 
 void
 fill(PixelMap<std::int32_t>& map, int x0, int x1, int y0, int y1, std::int32_t label)

@@ -14,7 +14,7 @@
 #include <utility>
 
 using namespace pcl::indoor;
-using Labels = std::vector<std::int32_t>;
+using RegionLabels = std::vector<std::int32_t>;
 
 namespace {
 
@@ -25,7 +25,7 @@ constexpr double pixel = 0.1; // metres
 struct Wall {
   std::vector<Eigen::Vector2f> points;
   std::vector<std::uint8_t> is_wall;
-  Labels truth;
+  RegionLabels truth;
   PixelMap<std::int32_t> labels, free_labels;
   Eigen::Vector2d along, normal; ///< room 1 is where the normal comes from
 
@@ -44,7 +44,7 @@ struct Wall {
       is_wall.push_back(1);
       truth.push_back(side < 0 ? 1 : 2);
     }
-    labels = free_labels = {40, 40, Labels(1600, 0)};
+    labels = free_labels = {40, 40, RegionLabels(1600, 0)};
     for (int x = 0; x < 40; ++x)
       for (int y = 0; y < 40; ++y)
         labels.at(x, y) = free_labels.at(x, y) =
@@ -73,16 +73,16 @@ struct Wall {
   }
 
   /** What the map says of the points. */
-  Labels
+  RegionLabels
   mapLabels() const
   {
-    Labels result;
+    RegionLabels result;
     for (const auto& point : points)
       result.push_back(labels.values[pixelOf(point)]);
     return result;
   }
 
-  Labels
+  RegionLabels
   assigned(const WallSideOptions& options = {}) const
   {
     std::vector<std::size_t> order(points.size());
@@ -108,8 +108,8 @@ struct Wall {
         place();
     }
     sorted.first.push_back(static_cast<std::uint32_t>(order.size()));
-    const Labels before = mapLabels();
-    Labels in_order, result(before.size());
+    const RegionLabels before = mapLabels();
+    RegionLabels in_order, result(before.size());
     for (const std::size_t i : order)
       in_order.push_back(before[i]);
     assignWallSides(sorted, pixel, labels, free_labels, options, 0, in_order);
@@ -119,7 +119,7 @@ struct Wall {
   }
 
   double
-  rightShare(const Labels& result) const
+  rightShare(const RegionLabels& result) const
   {
     std::size_t right = 0;
     for (std::size_t i = 0; i < result.size(); ++i)
@@ -182,7 +182,7 @@ TEST(WallSides, AWallSeenFromOneSideBelongsToThatRoom)
     for (auto& label : map->values)
       label = label == 2 ? 0 : label; // nothing behind it
   const auto result = wall.assigned();
-  EXPECT_EQ(result, Labels(result.size(), 1));
+  EXPECT_EQ(result, RegionLabels(result.size(), 1));
 }
 
 TEST(WallSides, PointsBesideTheWallFollowIt)
@@ -229,12 +229,12 @@ TEST(WallSides, FarFromBordersNothingChanges)
   wall.labels.values.assign(1600, 5);
   wall.free_labels = wall.labels;
   const auto result = wall.assigned();
-  EXPECT_EQ(result, Labels(result.size(), 5));
+  EXPECT_EQ(result, RegionLabels(result.size(), 5));
 }
 
 TEST(WallSides, EmptyInput)
 {
-  Labels none;
+  RegionLabels none;
   assignWallSides({}, pixel, {}, {}, {}, 0, none);
   EXPECT_TRUE(none.empty());
 }

@@ -52,7 +52,7 @@ randomRotation(std::mt19937& rng)
 }
 
 Eigen::Matrix3d
-turned(double degrees)
+turnedByDegrees(double degrees)
 {
   return Eigen::AngleAxisd(degrees * degree, Eigen::Vector3d::UnitZ())
       .toRotationMatrix();
@@ -153,16 +153,16 @@ TEST(ManhattanFrames, FramesOfABuildingShareTheVertical)
 {
   std::mt19937 rng(32);
   std::vector<Eigen::Vector3d> normals;
-  addFrame(turned(10), {3000, 2000, 8000}, 3.0 * degree, rng, normals);
-  addFrame(turned(40), {700, 500, 1500}, 3.0 * degree, rng, normals); // a wing
+  addFrame(turnedByDegrees(10), {3000, 2000, 8000}, 3.0 * degree, rng, normals);
+  addFrame(turnedByDegrees(40), {700, 500, 1500}, 3.0 * degree, rng, normals); // a wing
   const Eigen::Matrix3d roof =
-      Eigen::AngleAxisd(35.0 * degree, turned(10).col(0)).toRotationMatrix() *
-      turned(10);
+      Eigen::AngleAxisd(35.0 * degree, turnedByDegrees(10).col(0)).toRotationMatrix() *
+      turnedByDegrees(10);
   addNormals(roof.col(2), 600, 3.0 * degree, rng, normals); // a sloped ceiling
   const auto frames = manhattanFrames(normals);
   ASSERT_EQ(frames.size(), 3u);
-  EXPECT_LT(difference(turned(10), frames[0].axes), 1.0);
-  EXPECT_LT(nearestFrame(frames, turned(40)), 1.0);
+  EXPECT_LT(difference(turnedByDegrees(10), frames[0].axes), 1.0);
+  EXPECT_LT(nearestFrame(frames, turnedByDegrees(40)), 1.0);
   EXPECT_LT(nearestFrame(frames, roof), 1.5); // one axis of its own
   EXPECT_GT(frames[0].support, frames[1].support);
 
@@ -181,21 +181,22 @@ TEST(ManhattanFrames, ACurvedWallIsNoFrame)
 {
   std::mt19937 rng(33);
   std::vector<Eigen::Vector3d> normals;
-  addFrame(turned(0), {3000, 2000, 5000}, 2.0 * degree, rng, normals);
+  addFrame(turnedByDegrees(0), {3000, 2000, 5000}, 2.0 * degree, rng, normals);
   for (int i = 0; i < 2000; ++i) // a half circle
-    addNormals(turned(180.0 * uniform(rng)).col(0), 1, 2.0 * degree, rng, normals);
+    addNormals(
+        turnedByDegrees(180.0 * uniform(rng)).col(0), 1, 2.0 * degree, rng, normals);
   const auto frames = manhattanFrames(normals);
   ASSERT_EQ(frames.size(), 1u);
-  EXPECT_LT(difference(turned(0), frames[0].axes), 1.0);
+  EXPECT_LT(difference(turnedByDegrees(0), frames[0].axes), 1.0);
 }
 
 TEST(ManhattanFrames, WeightsAndSignsAndOrder)
 {
   std::mt19937 rng(34);
   std::vector<Eigen::Vector3d> normals;
-  addFrame(turned(5), {500, 500, 500}, 3.0 * degree, rng, normals);
+  addFrame(turnedByDegrees(5), {500, 500, 500}, 3.0 * degree, rng, normals);
   const std::size_t first = normals.size();
-  addFrame(turned(35), {500, 500, 0}, 3.0 * degree, rng, normals);
+  addFrame(turnedByDegrees(35), {500, 500, 0}, 3.0 * degree, rng, normals);
   std::vector<double> weights(normals.size(), 1.0);
   std::fill(weights.begin() + first, weights.end(), 0.001);
   EXPECT_EQ(manhattanFrames(normals).size(), 2u);

@@ -24,7 +24,7 @@ namespace {
 using Points = std::vector<Eigen::Vector3f>;
 
 double
-uniform(std::mt19937& rng, double low, double high)
+drawnBetween(std::mt19937& rng, double low, double high)
 {
   return low + (high - low) * static_cast<double>(rng() % 1000003) / 1000003.0;
 }
@@ -42,9 +42,9 @@ addPatch(const Eigen::Vector3d& middle,
   const Eigen::Vector3d u = normal.unitOrthogonal();
   const Eigen::Vector3d v = normal.cross(u);
   for (int i = 0; i < count; ++i)
-    points.push_back((middle + uniform(rng, -size, size) * u +
-                      uniform(rng, -size, size) * v +
-                      uniform(rng, -noise, noise) * normal)
+    points.push_back((middle + drawnBetween(rng, -size, size) * u +
+                      drawnBetween(rng, -size, size) * v +
+                      drawnBetween(rng, -noise, noise) * normal)
                          .cast<float>());
 }
 

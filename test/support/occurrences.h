@@ -9,9 +9,9 @@
 
 namespace pcl::indoor::test {
 
-/** How often a text holds a part. */
+/** \brief How often a part occurs in a text. */
 inline std::size_t
-count(const std::string& text, const std::string& part)
+occurrences(const std::string& text, const std::string& part)
 {
   std::size_t found = 0;
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
