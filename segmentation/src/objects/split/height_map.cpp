@@ -13,9 +13,8 @@
 namespace {
 
 constexpr double empty = std::numeric_limits<double>::quiet_NaN();
-constexpr double outline_share = 0.35;  // of an object's height
-constexpr double min_area = 4;          // of an object, cells
-constexpr double max_area_share = 0.25; // of an object over that of the surface
+constexpr double outline_share = 0.35; // of an object's height
+constexpr std::size_t min_area = 4;    // of an object, cells
 /** An object rises by chance_deviations of the surface's heights, and so many cells. */
 constexpr double min_rise = 0.1;
 
@@ -108,7 +107,6 @@ HeightMap::measureSurface(double tolerance, double min_cells)
     if (height <= surface_)
       depths.push_back(surface_ - height);
   deviation_ = deviation_per_median * quantile(depths, 0.5);
-  surface_cells_ = near.size();
   return true;
 }
 
@@ -156,14 +154,6 @@ HeightMap::largestAbove(double outline, const Cells& raised)
   return largest;
 }
 
-bool
-HeightMap::isObject(const Cells& object) const
-{
-  const auto area = static_cast<double>(object.size());
-  return area >= min_area &&
-         area <= max_area_share * static_cast<double>(surface_cells_);
-}
-
 std::vector<std::uint32_t>
 HeightMap::findObjects()
 {
@@ -187,7 +177,7 @@ HeightMap::findObjects()
       return true;
     });
     const auto object = largestAbove(outlineOf(raised), raised);
-    if (!isObject(object))
+    if (object.size() < min_area)
       continue;
     ++object_count_;
     for (const auto cell : object)

@@ -86,9 +86,6 @@ private:
   Cells
   largestAbove(double outline, const Cells& raised);
 
-  bool
-  isObject(const Cells& object) const;
-
   double cell_size_;
   Eigen::Vector2d corner_;
   Eigen::Array2i shape_;
@@ -97,7 +94,7 @@ private:
   std::vector<std::uint32_t> counts_;
   std::vector<State> states_;
   double surface_ = 0, deviation_ = 0;
-  std::size_t surface_cells_ = 0, object_count_ = 0;
+  std::size_t object_count_ = 0;
 };
 
 } // namespace pcl::indoor

@@ -96,18 +96,6 @@ TEST(FlatObjects, LeavesWhatIsHigherThanAnObject)
   EXPECT_EQ(segmentCount(parted(deskWithObject(0.1f, 0.002f))), 2u);
 }
 
-TEST(FlatObjects, LeavesWhatIsNoSmallerThanTheSurface)
-{
-  const auto desk_with = [](float width) {
-    return deskWithObject(
-        0.03f,
-        0.003f,
-        Area(Eigen::Vector2f(0.4f, 0.1f), Eigen::Vector2f(0.4f + width, 0.7f)));
-  };
-  EXPECT_EQ(segmentCount(parted(desk_with(0.35f))), 2u) << "18 % of the desk";
-  EXPECT_EQ(segmentCount(parted(desk_with(0.6f))), 1u) << "30 % of the desk";
-}
-
 TEST(FlatObjects, TakesWhatStandsOnAnObjectAlong)
 {
   auto scene = deskWithObject(0.05f, 0.003f);
