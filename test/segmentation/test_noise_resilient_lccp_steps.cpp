@@ -73,25 +73,6 @@ TEST(NoiseResilientLCCPSteps, PartsBoxesAtANarrowGap)
   EXPECT_LT(errorsOf(scene, labels).under, 0.01);
 }
 
-TEST(NoiseResilientLCCPSteps, PartsCabinetsThatStandAgainstEachOther)
-{
-  LabelledPoints scene;
-  std::mt19937 rng(8);
-  for (const std::uint32_t cabinet : {1u, 2u})
-    scene.addBox({cabinet == 1 ? 0 : 0.608f, 0, 0},
-                 {0.6f, 0.6f, 0.87f},
-                 cabinet,
-                 0.012f,
-                 0.004f,
-                 rng);
-  scene.removeIf([](const Eigen::Vector3f& p) { // not seen
-    return p.y() > 0.58f ||
-           (p.x() > 0.5f && p.x() < 0.7f && p.y() > 0.3f && p.z() < 0.85f);
-  });
-  const auto labels = piecesFrom({0.6f, -2, 2}, scene, 0); // all that touch are joined
-  EXPECT_LT(errorsOf(scene, labels).under, 0.05);
-}
-
 TEST(NoiseResilientLCCPSteps, KeepsFloorCeilingAndWallsOutOfTheGraph)
 {
   const auto scene = roomWithTwoBoxes();

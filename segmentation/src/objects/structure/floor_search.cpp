@@ -18,8 +18,7 @@ namespace {
 using pcl::indoor::StructurePlane;
 using pcl::indoor::SurfaceVoxels;
 
-constexpr double min_floor = 0.5;      // m^2
-constexpr double ground_relief = 0.05; // metres: rugs lie on the ground
+constexpr double min_floor = 0.5; // m^2
 
 double
 middleHeight(const SurfaceVoxels& voxels,
@@ -59,11 +58,8 @@ public:
       return isLarge(each.second) && isLowest(each.second);
     });
     std::vector<std::size_t> open;
-    for (auto each = rising_.begin();
-         each != rising_.end() && ground != rising_.end() &&
-         each->first <= ground->first + ground_relief;
-         ++each)
-      if (each >= ground || !isLarge(each->second)) {
+    for (auto each = rising_.begin(); ground != rising_.end() && each <= ground; ++each)
+      if (each == ground || !isLarge(each->second)) {
         is_floor[each->second] = 1;
         open.push_back(each->second);
       }
