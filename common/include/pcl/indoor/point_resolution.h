@@ -13,11 +13,13 @@
 namespace pcl::indoor {
 
 /** \brief Raise a voxel size to 2.5 times the resolution of the points, the factor of
- * Eq. (2.9), so that the voxels of a sparse surface touch. The resolution is the median
- * distance to the nearest other point, from about two thousand points: outliers do not
- * change it. Where scans lie on one
- * another, each point with its copies at a fifth of the distance of others or less, the
- * copies do not count.
+ * Eq. (2.9), so that the voxels of a sparse surface touch.
+ *
+ * The resolution is the median distance to the nearest other point, from about two
+ * thousand points: outliers do not change it. Where scans lie on one another, each
+ * point with its copies at a fifth of the distance of others or less, the copies do
+ * not count.
+ *
  * \param[in] points finite points, metres, local frame
  * \return metres, at least the voxel size
  */

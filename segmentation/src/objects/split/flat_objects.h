@@ -17,8 +17,10 @@ namespace pcl::indoor {
  * Such objects are only a few voxels high, too little to show in the normals. But the
  * mean height of the points in a cell tells them from the surface around them. Only the
  * largest horizontal surface of each segment is looked at; one whose box holds more
- * than 2^22 cells is left as it is. The cost is that of sorting heights. \param[in]
- * segment_of_voxel numbered from 0; segments of floor, walls and ceiling stay whole
+ * than 2^22 cells is left as it is. The cost is that of sorting heights.
+ *
+ * \param[in] segment_of_voxel numbered from 0; segments of floor, walls and ceiling
+ * stay whole
  * \return one segment per point; the objects follow the segments that were there
  */
 std::vector<std::uint32_t>

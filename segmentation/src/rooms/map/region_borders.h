@@ -73,7 +73,9 @@ struct RegionOpening {
  *
  * Pieces of border that a person can pass and that are at most two pixels apart are one
  * opening: two doors between the same two regions are two. Gaps narrower than 0.3 m are
- * left out. \return in the order of (a, b), then of their first pixel
+ * left out.
+ *
+ * \return in the order of (a, b), then of their first pixel
  */
 std::vector<RegionOpening>
 regionOpenings(const BorderMap& map);

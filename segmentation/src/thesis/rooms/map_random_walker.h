@@ -18,7 +18,9 @@ namespace pcl::indoor {
  * 1e-10. Equal probabilities (to 1e-9) give the smaller label. Each connected region of
  * unlabelled pixels is solved by itself, exactly, with one factorisation of its
  * Laplacian; a region that touches only one label needs none. Time is about O(m^1.5)
- * for a region of m pixels. \param[in] values I of Eq. (2.11), finite in the mask
+ * for a region of m pixels.
+ *
+ * \param[in] values I of Eq. (2.11), finite in the mask
  * \param[in] labels 0 or more = seed; -1 = to be labelled
  * \param[in] mask non-zero = pixel of the graph
  * \param[in] beta of Eq. (2.11), in one over the squared unit of the map's values (0 or
