@@ -9,12 +9,12 @@
 
 #include <pcl/exceptions.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace pcl::indoor {
 namespace {
+
+constexpr double tile_size = 1.0; // metres, at least
 
 /** Turns points into a stretch's own frame. */
 class StretchFrame {
@@ -60,43 +60,6 @@ private:
 
 } // namespace
 
-TiledPoints::TiledPoints(const std::vector<Eigen::Vector3f>& points)
-{
-  if (points.empty())
-    return;
-  low_ = points.front().head<2>().cast<double>();
-  Eigen::Array2d high = low_;
-  for (const auto& point : points) {
-    low_ = low_.min(point.head<2>().cast<double>().array());
-    high = high.max(point.head<2>().cast<double>().array());
-  }
-  // no more tiles than points, but for some along the longer side
-  const Eigen::Array2d extent = high - low_;
-  const auto count = static_cast<double>(points.size());
-  tile_size_ =
-      std::max({1.0, std::sqrt(extent.prod() / count), extent.maxCoeff() / count});
-  tiles_ = (extent / tile_size_).cast<int>() + 1;
-  first_.assign(static_cast<std::size_t>(tiles_.x()) * tiles_.y() + 1, 0);
-  const auto numberOf = [&](const Eigen::Vector3f& point) {
-    const Eigen::Array2i tile = tileAt(point.head<2>().cast<double>());
-    return static_cast<std::size_t>(tile.x()) * tiles_.y() + tile.y();
-  };
-  for (const auto& point : points)
-    ++first_[numberOf(point) + 1];
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  points_.resize(points.size());
-  auto next = first_;
-  for (const auto& point : points)
-    points_[next[numberOf(point)]++] = point;
-}
-
-Eigen::Array2i
-TiledPoints::tileAt(const Eigen::Array2d& place) const
-{
-  const Eigen::Array2d last = (tiles_ - 1).cast<double>();
-  return ((place - low_) / tile_size_).max(0.0).min(last).cast<int>();
-}
-
 PointsOfRooms::PointsOfRooms(const PointCloud<PointXYZ>& points,
                              const std::vector<std::uint32_t>& room_of_point,
                              std::uint32_t room_count,
@@ -121,7 +84,7 @@ PointsOfRooms::PointsOfRooms(const PointCloud<PointXYZ>& points,
     if (const Eigen::Vector3f point = points[i].getVector3fMap(); point.allFinite())
       of_rooms[room_of_point[i]].push_back(point - origin);
   for (auto& room : of_rooms) {
-    of_rooms_.emplace_back(room);
+    of_rooms_.emplace_back(room, tile_size);
     room = {}; // there may be many
   }
 }

@@ -4,6 +4,8 @@
  */
 #include "normals/plane_refit.h"
 
+#include "internal/point_moments.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -16,35 +18,6 @@ constexpr std::size_t fewest_points = 6;
 constexpr std::size_t core_parts = 3;    // one part of the neighbours tells the noise
 constexpr float sigmas_of_core = 0.861f; // third of a normal distribution: +-0.43 sigma
 constexpr float inlier_sigmas = 2.0f;
-
-/** Sums over positions; floats suffice, because they are small offsets. */
-struct Moments {
-  float count = 0;
-  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-  float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0; // of the products
-
-  void
-  add(const Eigen::Vector3f& p)
-  {
-    count += 1;
-    sum += p;
-    xx += p.x() * p.x();
-    xy += p.x() * p.y();
-    xz += p.x() * p.z();
-    yy += p.y() * p.y();
-    yz += p.y() * p.z();
-    zz += p.z() * p.z();
-  }
-
-  Eigen::Matrix3d
-  covariance() const
-  {
-    const Eigen::Vector3d mean = sum.cast<double>() / count;
-    Eigen::Matrix3f squares;
-    squares << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-    return squares.cast<double>() / count - mean * mean.transpose();
-  }
-};
 
 /** Do the eigenvalues, ascending, belong to a surface? A line has two small ones. */
 bool
@@ -90,7 +63,7 @@ refitPlane(const std::vector<Eigen::Vector3f>& neighbors,
     const auto core = coreInterval(heights, neighbors.size() / core_parts);
     const float middle = (core.first + core.second) / 2;
     const float sigma = (core.second - core.first) / sigmas_of_core;
-    Moments inliers;
+    PointMoments inliers;
     for (const auto& neighbor : neighbors)
       if (std::abs(fitted.dot(neighbor) - middle) <= inlier_sigmas * sigma)
         inliers.add(neighbor);
@@ -113,7 +86,7 @@ refitPlane(const std::vector<Eigen::Vector3f>& neighbors,
 bool
 surfaceVariation(const std::vector<Eigen::Vector3f>& positions, float& variation)
 {
-  Moments moments;
+  PointMoments moments;
   for (const auto& position : positions)
     moments.add(position);
   variation = 0;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <pcl/indoor/exports.h>
+#include <pcl/indoor/point_tiles.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -30,45 +31,6 @@ struct FaceStretch {
   double margin = 0.0;        ///< how far it goes on beyond both, metres
   double behind = 0.0;        ///< reach behind it, metres
   double before = 0.0;        ///< reach before it, metres
-};
-
-/** \brief Points seen from above, in square tiles: those in a box are found without
- * looking at all. */
-class PCL_INDOOR_EXPORTS TiledPoints {
-public:
-  TiledPoints() = default;
-
-  /** \param[in] points finite */
-  explicit TiledPoints(const std::vector<Eigen::Vector3f>& points);
-
-  /** \brief Call visit(first, end) with ranges of points that hold all of a box, and
-   * others near it. */
-  template <typename Visit>
-  void
-  forEachNear(const Eigen::Array2d& low,
-              const Eigen::Array2d& high,
-              const Visit& visit) const
-  {
-    if (points_.empty())
-      return;
-    const Eigen::Array2i first = tileAt(low), last = tileAt(high);
-    for (int x = first.x(); x <= last.x(); ++x) {
-      const std::size_t column = static_cast<std::size_t>(x) * tiles_.y();
-      visit(points_.data() + first_[column + first.y()],
-            points_.data() + first_[column + last.y() + 1]);
-    }
-  }
-
-private:
-  /** The tile at a place, clamped to those there are. */
-  Eigen::Array2i
-  tileAt(const Eigen::Array2d& place) const;
-
-  std::vector<Eigen::Vector3f> points_; ///< tile by tile, in the order given
-  std::vector<std::size_t> first_;      ///< per tile, and their end
-  Eigen::Array2d low_ = Eigen::Array2d::Zero();
-  Eigen::Array2i tiles_ = Eigen::Array2i::Zero(); ///< along x and y; y runs fastest
-  double tile_size_ = 1.0;                        ///< metres
 };
 
 /** \brief The points of a building by room: what is beside a wall of a room. */
@@ -104,7 +66,7 @@ public:
          std::vector<WallPoint>& found) const;
 
 private:
-  std::vector<TiledPoints> of_rooms_; ///< per room; first those of none
+  std::vector<PointTiles<Eigen::Vector3f>> of_rooms_; ///< per room; first those of none
 };
 
 } // namespace pcl::indoor

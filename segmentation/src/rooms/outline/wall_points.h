@@ -5,9 +5,10 @@
 
 #pragma once
 
+#include <pcl/indoor/point_tiles.h>
+
 #include <Eigen/Core>
 
-#include <cstdint>
 #include <vector>
 
 namespace pcl::indoor {
@@ -31,15 +32,7 @@ public:
             std::vector<Eigen::Vector2d>& found) const;
 
 private:
-  /** The tile at a place, clamped to those there are. */
-  Eigen::Array2i
-  tileAt(const Eigen::Array2d& place) const;
-
-  std::vector<Eigen::Vector2d> points_; ///< tile by tile
-  std::vector<std::uint32_t> first_;    ///< per tile, and their end
-  Eigen::Array2d low_ = Eigen::Array2d::Zero();
-  Eigen::Array2i tiles_ = Eigen::Array2i::Zero(); ///< along x and y; y runs fastest
-  double tile_size_ = 1.0;                        ///< pixels
+  PointTiles<Eigen::Vector2d> tiles_;
 };
 
 } // namespace pcl::indoor

@@ -5,6 +5,8 @@
 
 #include "rooms/space/voxel_normals.h"
 
+#include "internal/point_moments.h"
+
 #include <pcl/indoor/threads.h>
 
 #include <pcl/exceptions.h>
@@ -29,27 +31,10 @@ requireValid(const std::vector<Eigen::Vector3f>& points, const OccupancyGrid& gr
                                                 << ".");
 }
 
-/** \brief Sums over the points of a voxel, relative to its centre: floats are enough.
- */
-struct Moments {
+/** \brief Sums over the points of a voxel, relative to its centre. */
+struct VoxelMoments {
   Eigen::Vector3f centre;
-  float count = 0.0f;
-  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-  float xx = 0.0f, xy = 0.0f, xz = 0.0f, yy = 0.0f, yz = 0.0f, zz = 0.0f;
-
-  void
-  add(const Eigen::Vector3f& point)
-  {
-    const Eigen::Vector3f p = point - centre;
-    count += 1.0f;
-    sum += p;
-    xx += p.x() * p.x();
-    xy += p.x() * p.y();
-    xz += p.x() * p.z();
-    yy += p.y() * p.y();
-    yz += p.y() * p.z();
-    zz += p.z() * p.z();
-  }
+  PointMoments sums;
 };
 
 /** \brief Numbers the voxels that hold points in their order: a bit per voxel, and per
@@ -117,14 +102,14 @@ placeOf(const GridShape& shape, std::int32_t voxel)
   return {voxel / (shape.ny * shape.nz), voxel / shape.nz % shape.ny, voxel % shape.nz};
 }
 
-std::vector<Moments>
+std::vector<VoxelMoments>
 sumUp(const std::vector<Eigen::Vector3f>& points,
       const OccupancyGrid& grid,
       const OccupiedVoxels& occupied,
       int threads)
 {
   const std::size_t count = occupied.size();
-  std::vector<Moments> moments(count);
+  std::vector<VoxelMoments> moments(count);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (int part = 0; part < threads; ++part) {
     // Each part owns a range of voxels and looks at all points: the sums have the same
@@ -142,7 +127,7 @@ sumUp(const std::vector<Eigen::Vector3f>& points,
         continue;
       const std::int32_t n = occupied.number(grid.cells[i]);
       if (n >= begin && n < end)
-        moments[n].add(points[i]);
+        moments[n].sums.add(points[i] - moments[n].centre);
     }
   }
   return moments;
@@ -153,7 +138,7 @@ Eigen::Matrix3d
 scatterAround(const Eigen::Vector3i& place,
               const GridShape& shape,
               const OccupiedVoxels& occupied,
-              const std::vector<Moments>& moments,
+              const std::vector<VoxelMoments>& moments,
               double& count)
 {
   const Eigen::Vector3f centre =
@@ -169,8 +154,8 @@ scatterAround(const Eigen::Vector3i& place,
         shape.contains(x, y, z) ? occupied.number(shape.index(x, y, z)) : -1;
     if (n < 0)
       continue;
-    const Moments& m = moments[n];
-    const Eigen::Vector3d to = (m.centre - centre).cast<double>();
+    const PointMoments& m = moments[n].sums;
+    const Eigen::Vector3d to = (moments[n].centre - centre).cast<double>();
     const Eigen::Vector3d s = m.sum.cast<double>();
     const Eigen::Vector3d t = s + m.count * to; // the sum as seen from the middle
     xx += m.xx + s.x() * to.x() + to.x() * t.x();
@@ -209,7 +194,7 @@ voxelNormals(const std::vector<Eigen::Vector3f>& points,
   threads = threadCount(threads);
   const GridShape& shape = grid.grid.shape;
   const OccupiedVoxels occupied(grid.cells, shape.size());
-  const std::vector<Moments> moments = sumUp(points, grid, occupied, threads);
+  const std::vector<VoxelMoments> moments = sumUp(points, grid, occupied, threads);
   const auto count = static_cast<std::ptrdiff_t>(moments.size());
   const int keep_one_in = std::max(1, static_cast<int>(count / enough));
   std::vector<Eigen::Vector3d> normals(moments.size());
