@@ -197,6 +197,38 @@ TEST(PartialScans, PassagesUpToCeilingsSeenInPartsDoNotHang)
   EXPECT_LE(building.openings[0].rise, 0.0);
 }
 
+/** A hall with a ceiling, 16 x 12 m, and rooms along it, of which nothing above 1.6 m
+ * was seen, nor the lintels between. */
+TEST(PartialScans, PassagesToRoomsWithoutCeilingsBesideAHallDoNotHang)
+{
+  auto points = test::rooms({{{0, 0, 0}, {16, 12, 2.5f}, 1},
+                             {{16.1f, 0, 0}, {20, 6, 2.5f}, 2},
+                             {{16.1f, 6.1f, 0}, {20, 12, 2.5f}, 3}},
+                            {test::doorway(15.95f, 16.15f, 2.0f, 3.0f, 2.0f),
+                             test::doorway(15.95f, 16.15f, 8.0f, 9.0f, 2.0f)})
+                    .points;
+  LabelledPoints steps; // in the passages
+  std::mt19937 rng(1);
+  for (const float y : {2.0f, 8.0f})
+    steps.addBox({15.95f, y, 0.0f}, {0.2f, 1.0f, 0.4f}, 0, 0.02f, 0.0f, rng);
+  points.insert(points.end(), steps.points.begin(), steps.points.end());
+  const auto is_lintel = [](const auto& p, float y) {
+    return p.x() > 15.9f && p.y() > y && p.y() < y + 1.0f && p.z() > 1.6f;
+  };
+  points.erase(std::remove_if(points.begin(),
+                              points.end(),
+                              [&](const auto& p) {
+                                return is_lintel(p, 2.0f) || is_lintel(p, 8.0f) ||
+                                       (p.x() > 16.2f && p.x() < 19.9f && p.z() > 1.6f);
+                              }),
+               points.end());
+  const auto building = segmentBuilding(points);
+  EXPECT_TRUE(stepsOf(building).interior.unseen.ceilingIsMostlySeen());
+  EXPECT_FALSE(building.openings.empty());
+  for (const RoomOpening& opening : building.openings)
+    EXPECT_LE(opening.rise, 0.0);
+}
+
 TEST(PartialScans, WallsAlone)
 {
   expectTwoRooms(

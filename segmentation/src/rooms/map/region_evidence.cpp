@@ -108,19 +108,7 @@ sidesOf(const RoomMap& map, int reach)
   return sides;
 }
 
-/** Columns of a region. */
-struct LevelSides {
-  std::size_t floor = 0;   ///< in which one is seen
-  std::size_t ceiling = 0; ///< the same
-  std::size_t all = 0;
-
-  /** How much of the ceiling is seen. */
-  double
-  ceilingShare() const
-  {
-    return static_cast<double>(ceiling) / static_cast<double>(all);
-  }
-};
+} // namespace
 
 std::vector<LevelSides>
 levelSides(const VoxelBits& occupancy, const RoomMap& map)
@@ -141,8 +129,6 @@ levelSides(const VoxelBits& occupancy, const RoomMap& map)
   }
   return sides;
 }
-
-} // namespace
 
 void
 relabel(const std::vector<std::int32_t>& number, RoomMap& map)

@@ -42,6 +42,33 @@ dropRegions(const std::vector<std::uint8_t>& is_dropped, RoomMap& map);
 std::vector<double>
 closedBorders(const RoomMap& map, double pixel_size);
 
+/** \brief Columns of a region. */
+struct LevelSides {
+  std::size_t floor = 0;   ///< in which one is seen, or was put in
+  std::size_t ceiling = 0; ///< the same
+  std::size_t all = 0;
+
+  /** \brief How much of the floor is seen. */
+  double
+  floorShare() const
+  {
+    return static_cast<double>(floor) / static_cast<double>(all);
+  }
+
+  /** \brief How much of the ceiling is seen. */
+  double
+  ceilingShare() const
+  {
+    return static_cast<double>(ceiling) / static_cast<double>(all);
+  }
+};
+
+/** \brief What a storey's voxels show of the floor and the ceiling of each region.
+ * \return one per label from 0 on, which has none
+ */
+std::vector<LevelSides>
+levelSides(const VoxelBits& occupancy, const RoomMap& map);
+
 /** \brief Drop the large regions without a ceiling whose border is open, such as
  * streets, where a scan shows ceilings elsewhere.
  * \param[in,out] map its labels are 1 ... n again

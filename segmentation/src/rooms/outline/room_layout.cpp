@@ -6,6 +6,7 @@
 #include "rooms/outline/room_layout.h"
 
 #include "rooms/dimensions.h"
+#include "rooms/map/region_evidence.h"
 #include "rooms/outline/opening_posts.h"
 #include "rooms/outline/room_levels.h"
 
@@ -162,6 +163,25 @@ isFreeOfOthers(const std::vector<Eigen::Vector2d>& part,
   return true;
 }
 
+/** The rise of a passage towards what was seen in both of its regions: where they show
+ * no ceiling, they show no lintel, either, and passages seem to reach up. */
+double
+seenRise(const RegionOpening& opening,
+         const std::vector<LevelSides>& levels,
+         const UnseenSides& unseen)
+{
+  const LevelSides &a = levels[opening.a], &b = levels[opening.b];
+  const auto areSeen = [](double one, double other) {
+    return std::min(one, other) >= UnseenSides::least_seen;
+  };
+  const bool has_floors =
+      unseen.floorIsMostlySeen() && areSeen(a.floorShare(), b.floorShare());
+  const bool has_ceilings =
+      unseen.ceilingIsMostlySeen() && areSeen(a.ceilingShare(), b.ceilingShare());
+  return std::clamp(
+      opening.rise, has_floors ? -INFINITY : 0.0, has_ceilings ? INFINITY : 0.0);
+}
+
 } // namespace
 
 void
@@ -187,9 +207,7 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
         own.add(points[i], building.occupancy.cells[i]);
       },
       [&](const OpeningPosts& own) { posts.add(own); });
-  const UnseenSides& sides = building.interior.unseen;
-  const double lowest = sides.floorIsMostlySeen() ? -INFINITY : 0.0;
-  const double highest = sides.ceilingIsMostlySeen() ? INFINITY : 0.0;
+  const std::vector<LevelSides> levels = levelSides(space.occupancy, map);
   for (std::size_t k = 0; k < found.size(); ++k) {
     const auto [along, against] = posts.ends(k);
     const Eigen::Vector2d middle = Eigen::Vector2d(found[k].x, found[k].y) +
@@ -200,7 +218,7 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
     opening.position = on_floor(middle.x(), middle.y());
     opening.width = along + against;
     opening.area = found[k].area * opening.width / found[k].width;
-    opening.rise = std::clamp(found[k].rise, lowest, highest);
+    opening.rise = seenRise(found[k], levels, building.interior.unseen);
     building.openings.push_back(opening);
   }
 }
