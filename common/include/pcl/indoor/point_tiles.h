@@ -25,8 +25,8 @@ public:
   PointTiles() = default;
 
   /** \param[in] points finite
-   * \param[in] least_size of a tile, in units of the points. Tiles are larger where
-   * there would be more of them than points.
+   * \param[in] least_size edge of a tile, in the unit of the points; larger where
+   * there would be more tiles than points
    */
   PointTiles(const std::vector<Point>& points, double least_size)
   {
@@ -38,7 +38,7 @@ public:
       low_ = low_.min(placeOf(point));
       high = high.max(placeOf(point));
     }
-    // but for some along the longer side
+    // No more tiles than points, but for some along the longer side.
     const Eigen::Array2d extent = high - low_;
     const auto count = static_cast<double>(points.size());
     size_ = std::max(

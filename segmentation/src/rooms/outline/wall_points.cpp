@@ -11,7 +11,7 @@
 namespace pcl::indoor {
 
 WallPoints::WallPoints(const std::vector<Eigen::Vector2d>& points)
-: tiles_(points, 8.0)
+: tiles_(points, 8.0) // pixels, at least
 {}
 
 void
