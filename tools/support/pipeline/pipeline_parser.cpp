@@ -117,10 +117,8 @@ PipelineOptions
 pipelineOptions(int argc, const char* const* argv)
 {
   PipelineOptions options;
-  if (presetOf(argc, argv) == "thesis") {
-    options.thesis_rooms = pcl::indoor::thesisRoomOptions();
-    options.thesis_objects = pcl::indoor::thesisOptions();
-  }
+  if (presetOf(argc, argv) == "thesis")
+    static_cast<SceneOptions&>(options) = thesisSceneOptions();
   return options;
 }
 
