@@ -19,6 +19,7 @@
 #include "rooms/space/unseen_sides.h"
 #include "rooms/storeys/storey_space.h"
 #include "rooms/storeys/storeys.h"
+#include "rooms/storeys/unseen_slabs.h"
 
 #include <pcl/indoor/distinct_points.h>
 #include <pcl/indoor/parallel_for.h>
@@ -289,7 +290,8 @@ segmentDistinct(const RoomWay& way,
   building.interior = closedInterior(directions, options, building.occupancy);
   if (stopped(0.4, "storeys"))
     return {};
-  building.storeys = findStoreys(grid, options.storeys, options.threads);
+  building.storeys = findStoreys(
+      grid, options.storeys, options.threads, unseenSlabs(building.occupancy));
   refineBorders(points, building.occupancy, building.storeys);
   const auto storey_of = storeysOfPoints(points, building, options.threads);
   const StationViews views(

@@ -13,6 +13,7 @@
 #include "rooms/space/occupancy_grid.h"
 #include "rooms/storeys/storey_plan.h"
 #include "rooms/storeys/storeys.h"
+#include "rooms/storeys/unseen_slabs.h"
 
 #include <pcl/segmentation/building_frame.h>
 
@@ -215,7 +216,7 @@ scanOverview(const std::vector<Eigen::Vector3f>& points,
   overview.spacing = spacingOf(grid, static_cast<std::size_t>(places));
   if (overview.extent.z() < least_height)
     return overview;
-  const auto storeys = findStoreys(grid.grid, {}, 1);
+  const auto storeys = findStoreys(grid.grid, {}, 1, unseenSlabs(grid));
   overview.storeys = storeys.heights.size();
   PlaceCounts enclosed, open;
   for (std::size_t s = 0; s < overview.storeys; ++s)

@@ -271,7 +271,10 @@ setHeights(SlabLevel& level)
 } // namespace
 
 std::vector<SlabLevel>
-findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options, int threads)
+findSlabLevels(const VoxelBits& occupancy,
+               const StoreyOptions& options,
+               int threads,
+               const std::vector<double>& unseen)
 {
   constexpr double level_difference = 1.0; // slabs at one level differ by less, metres
   const double size = occupancy.voxel_size;
@@ -293,6 +296,8 @@ findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options, int thr
     setHeights(level);
     found.push_back(std::move(level));
   }
+  for (const double middle : unseen)
+    found.push_back({{}, middle, middle});
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return a.middle() < b.middle();
   });
@@ -306,7 +311,8 @@ findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options, int thr
     }
     auto& groups_below = levels.back().groups;
     groups_below.insert(groups_below.end(), level.groups.begin(), level.groups.end());
-    setHeights(levels.back());
+    if (!groups_below.empty())
+      setHeights(levels.back());
   }
   return levels;
 }

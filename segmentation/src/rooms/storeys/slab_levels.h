@@ -30,9 +30,9 @@ struct SlabGroup {
 
 /** \brief The slabs of about one height. */
 struct SlabLevel {
-  std::vector<SlabGroup> groups;
-  double low = 0.0;  // median of the groups' lower ends, in voxels
-  double high = 0.0; // median of the groups' upper ends
+  std::vector<SlabGroup> groups; // none if neither ceiling nor floor was seen
+  double low = 0.0;              // median of the groups' lower ends, in voxels
+  double high = 0.0;             // median of the groups' upper ends
 
   double
   middle() const
@@ -46,9 +46,13 @@ struct SlabLevel {
  * A slab is level over metres, which neither stairs nor furniture are: the top or the
  * underside of most columns around it goes on at its height. The heights that most such
  * columns share are levels.
+ * \param[in] unseen slabs that nobody saw, voxels: levels, too, where no other is near
  * REQUIRES: valid options.
  */
 std::vector<SlabLevel>
-findSlabLevels(const VoxelBits& occupancy, const StoreyOptions& options, int threads);
+findSlabLevels(const VoxelBits& occupancy,
+               const StoreyOptions& options,
+               int threads,
+               const std::vector<double>& unseen);
 
 } // namespace pcl::indoor

@@ -93,6 +93,10 @@ borderOf(const VoxelBits& occupancy,
     thin.at(group.x, group.y) = 1.0f;
     middles.at(group.x, group.y) = static_cast<float>(group.middle());
   }
+  if (level.groups.empty()) { // nobody saw whether it is open anywhere
+    const double middle = occupancy.origin.z() + (level.middle() + 0.5) * size;
+    return PixelMap<float>::filled(shape.nx, shape.ny, static_cast<float>(middle));
+  }
   const auto open = openColumns(
       occupancy, votes, static_cast<int>(std::lround(level.middle())), options);
   RectangleSums counts(thin);
@@ -201,7 +205,10 @@ Storeys::storeyAt(int x, int y, double z) const
 }
 
 Storeys
-findStoreys(const VoxelBits& occupancy, const StoreyOptions& options, int threads)
+findStoreys(const VoxelBits& occupancy,
+            const StoreyOptions& options,
+            int threads,
+            const std::vector<double>& unseen)
 {
   requireValid(occupancy, options);
   Storeys result;
@@ -209,7 +216,7 @@ findStoreys(const VoxelBits& occupancy, const StoreyOptions& options, int thread
     result.heights.emplace_back();
     return result;
   }
-  const auto levels = findSlabLevels(occupancy, options, threads);
+  const auto levels = findSlabLevels(occupancy, options, threads, unseen);
   const auto heightOf = [&](double voxel) {
     return occupancy.origin.z() + (voxel + 0.5) * occupancy.voxel_size;
   };

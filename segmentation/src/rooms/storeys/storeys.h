@@ -47,12 +47,14 @@ struct Storeys {
  *
  * \param[in] occupancy occupied voxels are set
  * \param[in] threads 0 = automatic; the result does not depend on it
+ * \param[in] unseen result of unseenSlabs(): they divide storeys, too
  * \throws pcl::BadArgumentException if an option or the voxel size is out of range
  */
 Storeys
 findStoreys(const VoxelBits& occupancy,
             const StoreyOptions& options = {},
-            int threads = 0);
+            int threads = 0,
+            const std::vector<double>& unseen = {});
 
 /** \brief Move the borders of storeys between the ceiling below and the floor above,
  * more finely than the grid: to the valley between the two peaks of the points' heights

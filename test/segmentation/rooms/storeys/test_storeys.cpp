@@ -4,6 +4,7 @@
  */
 
 #include "rooms/storeys/storeys.h"
+#include "rooms/storeys/unseen_slabs.h"
 #include "support/bits_of.h"
 
 #include <pcl/exceptions.h>
@@ -110,7 +111,7 @@ struct Split {
     OccupancyGridOptions options;
     options.yaw = yaw;
     grid = occupancyGrid(building.points, options);
-    storeys = findStoreys(grid.grid);
+    storeys = findStoreys(grid.grid, {}, 0, unseenSlabs(grid));
     refineBorders(building.points, grid, storeys);
   }
 
@@ -408,6 +409,51 @@ TEST(FindStoreys, FiveNoisyStoreys)
     for (const double z : {-0.04, 1.3, 2.64})
       EXPECT_EQ(split.at(5, 5, 3.0 * storey + z), storey) << z;
 }
+
+// a lidar that looked neither up nor down
+TEST(FindStoreys, TwoBandsOfWallsAreTwoStoreys)
+{
+  Building building;
+  building.addWalls({0, 0, 0.4}, {8, 5, 2.1});
+  building.addWalls({0, 5, 3.4}, {6, 9, 5.0}); // beside it, not above
+  const Split split(building);
+  ASSERT_EQ(split.count(), 2u);
+  EXPECT_EQ(split.at(8, 2, 2.1), 0);
+  EXPECT_EQ(split.at(6, 7, 3.4), 1);
+  const double border = split.storeys.borders[0].at(1, 1);
+  EXPECT_GT(border, 2.1);
+  EXPECT_LT(border, 3.4);
+  for (const float height : split.storeys.borders[0].values)
+    EXPECT_EQ(height, split.storeys.borders[0].at(1, 1));
+}
+
+TEST(FindStoreys, StraysBetweenTwoBandsOfWalls)
+{
+  Building building;
+  building.addWalls({0, 0, 0.0}, {8, 5, 2.1});
+  building.addWalls({0, 0, 3.1}, {8, 5, 5.0});
+  building.addFloor(2, 2, 2.2, 2.2, 2.6); // 25 points at one height
+  EXPECT_EQ(Split(building).count(), 2u);
+}
+
+TEST(FindStoreys, WallsThatGoOnAreOneStorey)
+{
+  Building building;
+  building.addWalls({0, 0, 0.0}, {8, 5, 2.1});
+  building.addWalls({0, 0, 3.1}, {8, 5, 5.0});
+  building.addWalls({8, 0, 2.0}, {12, 5, 3.2}); // a hall was seen there
+  EXPECT_EQ(Split(building).count(), 1u);
+}
+
+TEST(FindStoreys, LowBandsAreNoStoreys)
+{
+  Building building;
+  building.addWalls({0, 0, 0.0}, {8, 5, 2.5});
+  building.addWalls({0, 0, 6.0}, {8, 5, 6.6}); // of a high ceiling
+  EXPECT_EQ(Split(building).count(), 1u);
+}
+
+TEST(UnseenSlabs, EmptyGrid) { EXPECT_TRUE(unseenSlabs({}).empty()); }
 
 TEST(FindStoreys, EmptyGrid)
 {
