@@ -28,7 +28,6 @@ using pcl::indoor::StructurePlane;
 using Members = pcl::indoor::SegmentMembers;
 using Box = pcl::indoor::PointBox;
 
-constexpr double cover = 1;            // voxels: what is farther hides the plane
 constexpr double cells_per_point = 20; // with more, a segment is too sparse
 constexpr double casing_depth = 0.2;   // metres, on either side of a wall
 
@@ -87,7 +86,7 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
   std::size_t touching = 0, deep = 0;
   for (const auto& [cell, depth] : segment) {
     touching += depth < near_surface_voxels;
-    deep += depth > cover;
+    deep += depth > 0;
     for (int k = 0; k < 2; ++k) {
       low[k] = std::min(low[k], cell[k]);
       high[k] = std::max(high[k], cell[k]);
@@ -102,7 +101,7 @@ cellsEnclosedBy(const std::vector<Projection>& segment,
   for (const auto& [cell, depth] : segment) {
     if (depth < near_surface_voxels)
       shadow.mark(cell, PlaneShadow::closing);
-    if (depth > cover)
+    if (depth > 0)
       shadow.mark(cell, PlaneShadow::covered);
   }
   if (is_casing)

@@ -28,7 +28,6 @@ constexpr double frame_support = 0.02; // share of all weight that a frame expla
 constexpr double axis_contrast = 1.5;  // the normals around an axis are so many times
                                        // denser than those in the ring around them: a
                                        // curved wall has no axis
-constexpr std::size_t most_frames = 8; // the best supported ones
 
 void
 requireValid(const std::vector<Eigen::Vector3d>& normals,
@@ -80,9 +79,9 @@ candidateFrames(const std::vector<WeightedDirection>& modes, double tolerance)
   return candidates;
 }
 
-/** \brief How well a frame explains modes. Modes that are explained already count
- * little; the more axes have a mode, the better: two strong modes of different frames
- * may be at right angles by chance, three are not.
+/** \brief How well a frame explains modes, some of which are not explained yet. The
+ * more axes have a mode, the better: two strong modes of different frames may be at
+ * right angles by chance, three are not.
  */
 double
 fit(const Eigen::Matrix3d& axes,
@@ -90,7 +89,6 @@ fit(const Eigen::Matrix3d& axes,
     const std::vector<char>& explained,
     double tolerance)
 {
-  constexpr double worth_if_explained = 0.2; // of what a mode is worth
   double sum = 0.0;
   int axes_with_mode = 0;
   bool explains_more = false;
@@ -101,9 +99,7 @@ fit(const Eigen::Matrix3d& axes,
       const double deviation = std::acos(std::min(1.0, dot)) / tolerance;
       if (deviation >= 1.0)
         continue;
-      best = std::max(best,
-                      modes[m].weight * (1.0 - deviation * deviation) *
-                          (explained[m] ? worth_if_explained : 1.0));
+      best = std::max(best, modes[m].weight * (1.0 - deviation * deviation));
       explains_more = explains_more || !explained[m];
     }
     sum += best;
@@ -250,8 +246,6 @@ rank(const std::vector<WeightedDirection>& histogram,
   std::stable_sort(frames.begin(), frames.end(), [](const auto& a, const auto& b) {
     return a.support > b.support;
   });
-  if (frames.size() > most_frames)
-    frames.resize(most_frames);
 }
 
 /** \brief The horizontal axes of a frame; at right angles, the stronger one first. */
