@@ -16,8 +16,9 @@ namespace pcl::indoor {
  *
  * Where a lidar looks neither up nor down, each storey shows a band of its walls.
  * Between two such bands there are layers in which hardly anything was seen anywhere.
- * Linear in the number of points. \param[in] building occupancy grid; its points count,
- * not what closes their surfaces \return the middle of each, in voxels, lowest first
+ * Linear in the number of points.
+ * \param[in] building occupancy grid; its points count, not what closes their surfaces
+ * \return the middle of each, in voxels, lowest first
  */
 std::vector<double>
 unseenSlabs(const OccupancyGrid& building);
