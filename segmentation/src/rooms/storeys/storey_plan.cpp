@@ -117,10 +117,7 @@ private:
         for (int z = begin; z < end; ++z)
           counts[z] += voxels[z];
       }
-    auto sorted = counts;
-    sorted.erase(std::remove(sorted.begin(), sorted.end(), 0u), sorted.end());
-    const double least =
-        sorted.empty() ? 0.0 : few * static_cast<double>(median(sorted));
+    const double least = few * usualCount(counts);
     for (int z = 0; z < grid_.shape.nz; ++z)
       if (counts[z] > 0 && static_cast<double>(counts[z]) >= least) {
         bottom_ = heights_known_ ? bottom_ : z;
@@ -231,6 +228,13 @@ private:
 };
 
 } // namespace
+
+double
+usualCount(std::vector<std::size_t> counts)
+{
+  counts.erase(std::remove(counts.begin(), counts.end(), 0u), counts.end());
+  return counts.empty() ? 0.0 : static_cast<double>(median(counts));
+}
 
 void
 countPlaces(const VoxelBits& grid,

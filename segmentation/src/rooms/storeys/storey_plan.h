@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace pcl::indoor {
 
@@ -24,6 +25,10 @@ struct PlaceCounts {
   std::size_t ceilings = 0;
   std::size_t sides = 0; ///< of the places that were seen, those towards a wall
 };
+
+/** \brief The median of the counts that are not 0; 0 if all are. */
+double
+usualCount(std::vector<std::size_t> counts);
 
 /** \brief Look at a storey from above, and count what is seen.
  * \param[in] storey of the storeys

@@ -83,6 +83,10 @@ borderOf(const VoxelBits& occupancy,
 {
   const GridShape& shape = occupancy.shape;
   const double size = occupancy.voxel_size;
+  if (level.groups.empty()) { // nobody saw whether it is open anywhere
+    const double middle = occupancy.origin.z() + (level.middle() + 0.5) * size;
+    return PixelMap<float>::filled(shape.nx, shape.ny, static_cast<float>(middle));
+  }
   auto votes = PixelMap<float>::filled(shape.nx, shape.ny, 0.0f);
   PixelMap<float> thin = votes;
   PixelMap<float> middles = votes;
@@ -92,10 +96,6 @@ borderOf(const VoxelBits& occupancy,
       continue; // with furniture or lamps
     thin.at(group.x, group.y) = 1.0f;
     middles.at(group.x, group.y) = static_cast<float>(group.middle());
-  }
-  if (level.groups.empty()) { // nobody saw whether it is open anywhere
-    const double middle = occupancy.origin.z() + (level.middle() + 0.5) * size;
-    return PixelMap<float>::filled(shape.nx, shape.ny, static_cast<float>(middle));
   }
   const auto open = openColumns(
       occupancy, votes, static_cast<int>(std::lround(level.middle())), options);

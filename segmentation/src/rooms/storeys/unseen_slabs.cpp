@@ -8,8 +8,6 @@
 #include "rooms/dimensions.h"
 #include "rooms/storeys/storey_plan.h"
 
-#include <pcl/indoor/quantile.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -56,11 +54,7 @@ unseenSlabs(const OccupancyGrid& building)
 {
   constexpr double hardly = 0.1; // of the points that half of the layers have
   const std::vector<std::size_t> counts = pointsOfLayers(building);
-  auto held = counts;
-  held.erase(std::remove(held.begin(), held.end(), 0u), held.end());
-  if (held.empty())
-    return {};
-  auto bands = seenBands(counts, hardly * static_cast<double>(median(held)));
+  auto bands = seenBands(counts, hardly * usualCount(counts));
   const int least = voxelsIn(least_height, building.grid.voxel_size, 1);
   bands.erase(
       std::remove_if(bands.begin(),
