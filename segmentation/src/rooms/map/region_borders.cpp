@@ -26,10 +26,10 @@
 namespace pcl::indoor {
 namespace {
 
-/** Of two rooms with different ceilings, up to which one their border is looked at. */
-enum class BorderTop {
-  HigherCeiling, ///< all of the wall that one of them has
-  LowerCeiling   ///< where both are
+/** What is looked at between two rooms. */
+enum class Between {
+  Walls,  ///< walls alone, up to the higher ceiling of the two
+  Passage ///< whatever is in the way, up to the lower ceiling
 };
 
 /** The way from one pixel to another, in layers. */
@@ -42,9 +42,9 @@ struct Section {
 /** Looks across the border between two pixels. */
 class BorderSection {
 public:
-  BorderSection(const BorderMap& map, BorderTop top)
+  BorderSection(const BorderMap& map, Between between)
   : map_(map)
-  , top_(top)
+  , between_(between)
   , closed_(map.occupancy.shape.nz)
   {}
 
@@ -54,12 +54,14 @@ public:
   {
     const auto [lower, higher] =
         std::minmax(map_.ceiling.at(x0, y0), map_.ceiling.at(x1, y1));
-    const int top = top_ == BorderTop::LowerCeiling ? lower : higher;
+    const int top = between_ == Between::Passage ? lower : higher;
+    bool is_blocked = false;
     std::fill(closed_.begin(), closed_.end(), 0);
     const int steps = std::max({std::abs(x1 - x0), std::abs(y1 - y0), 1});
     for (int k = 0; k <= steps; ++k) {
       const int x = x0 + static_cast<int>(std::lround((x1 - x0) * k / double(steps)));
       const int y = y0 + static_cast<int>(std::lround((y1 - y0) * k / double(steps)));
+      is_blocked |= map_.blocked.at(x, y) != 0;
       const auto column = map_.occupancy.column(x, y);
       for (int z = map_.storey.begin; z < top; ++z)
         closed_[z] |= column[z];
@@ -67,6 +69,8 @@ public:
     const int bottom = map_.storey.begin + 1; // above the floor
     if (top <= bottom)
       return {};
+    if (between_ == Between::Walls && !is_blocked && !isLowWall(bottom, top))
+      std::fill(closed_.begin(), closed_.end(), 0);
     Section section;
     section.height = top - bottom;
     double sum = 0.0;
@@ -81,8 +85,20 @@ public:
   }
 
 private:
+  /** A wall whose upper part was not seen closes most of what is below the heads. */
+  bool
+  isLowWall(int bottom, int top) const
+  {
+    constexpr double least_closed = 0.7; // share; trails of people close half of it
+    const int heads = voxelsIn(passage_height, map_.occupancy.voxel_size, 1);
+    const int end = std::min(bottom + heads, top);
+    const auto closed =
+        std::count(closed_.begin() + bottom, closed_.begin() + end, std::uint8_t{1});
+    return static_cast<double>(closed) >= least_closed * (end - bottom);
+  }
+
   const BorderMap& map_;
-  BorderTop top_;
+  Between between_;
   std::vector<std::uint8_t> closed_;
 };
 
@@ -90,11 +106,11 @@ private:
  * x or y if they are of different regions. */
 template <typename Piece>
 void
-walkBorders(const BorderMap& map, BorderTop top, const Piece& piece)
+walkBorders(const BorderMap& map, Between between, const Piece& piece)
 {
   const PixelMap<std::int32_t>& labels = map.labels;
   const NearestSites nearest = nearestLabelled(map.free_labels);
-  BorderSection section(map, top);
+  BorderSection section(map, between);
   const auto look = [&](std::size_t p, std::size_t q) {
     const std::int32_t a = labels.values[p], b = labels.values[q];
     if (a == b || a == 0 || b == 0)
@@ -310,7 +326,7 @@ regionBorders(const BorderMap& map)
       border.opening_run[p / ny == q / ny] += size;
     }
   };
-  walkBorders(map, BorderTop::HigherCeiling, add);
+  walkBorders(map, Between::Walls, add);
 
   std::vector<RegionBorder> result;
   for (auto& [pair, border] : borders) {
@@ -339,7 +355,7 @@ regionOpenings(const BorderMap& map)
     piece.rise = section.rise;
     pieces[std::minmax(labels.values[p], labels.values[q])].push_back(piece);
   };
-  walkBorders(map, BorderTop::LowerCeiling, add);
+  walkBorders(map, Between::Passage, add);
 
   std::vector<RegionOpening> openings;
   for (const auto& [pair, of_pair] : pieces)

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "rooms/storeys/storey_space.h" // for VerticalRange
+#include "rooms/map/room_map.h"
 
 #include <pcl/indoor/voxel_bits.h>
 #include <pcl/indoor/voxel_map.h>
@@ -44,12 +44,23 @@ struct BorderMap {
   const PixelMap<std::int32_t>& labels;      ///< of every pixel of the regions and of
                                              ///< the walls between them, 0 = none
   const PixelMap<std::int32_t>& free_labels; ///< the same on the free pixels alone
+  const PixelMap<std::uint8_t>& blocked;     ///< by walls, as blockedColumns() gives it
 };
+
+/** \brief The regions of a map.
+ * \param[in] occupancy of its storey */
+inline BorderMap
+borderMap(const RoomMap& map, const VoxelBits& occupancy)
+{
+  return {occupancy, map.range, map.ceiling, map.labels, map.free_labels, map.blocked};
+}
 
 /** \brief Find the borders between regions and how far they are open.
  *
  * A piece of border is open at a height if no voxel is occupied there between the free
- * space of the one region and that of the other: hollow walls are closed.
+ * space of the one region and that of the other: hollow walls are closed. Furniture and
+ * people are no walls: a piece without a blocked column is open at all heights, unless
+ * most of it is closed up to the heads, as by a wall whose upper part was not seen.
  * \return one entry per pair of regions that touch, in the order of (a, b)
  */
 std::vector<RegionBorder>

@@ -293,8 +293,8 @@ dropHardlySeen(const StoreySpace& space,
   for (std::size_t label = 1; label < count; ++label)
     is_reached[label] = !isSparse(label);
   if (std::find(is_reached.begin(), is_reached.end(), 0) != is_reached.end())
-    for (const RegionOpening& opening : regionOpenings(
-             {space.occupancy, map.range, map.ceiling, map.labels, map.free_labels})) {
+    for (const RegionOpening& opening :
+         regionOpenings(borderMap(map, space.occupancy))) {
       is_reached[opening.a] |= !isSparse(opening.b);
       is_reached[opening.b] |= !isSparse(opening.a);
     }

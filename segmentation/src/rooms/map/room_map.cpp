@@ -222,11 +222,11 @@ joinOpenRegions(const VoxelBits& occupancy, const RoomMapOptions& options, RoomM
 {
   const double size = occupancy.voxel_size;
   growIntoWalls(options.reach / size, map);
-  const auto merged = mergeOpenRegions(
-      regionBorders({occupancy, map.range, map.ceiling, map.labels, map.free_labels}),
-      sectionAreas(map.free_labels, map.field, map, size),
-      options.merging,
-      options.door_width);
+  const auto merged =
+      mergeOpenRegions(regionBorders(borderMap(map, occupancy)),
+                       sectionAreas(map.free_labels, map.field, map, size),
+                       options.merging,
+                       options.door_width);
   relabel(numbersOf(map.labels, merged), map);
 }
 
@@ -242,8 +242,7 @@ joinNiches(const VoxelBits& occupancy, RoomMap& map)
     volume[map.free_labels.values[i]] +=
         size * size * size * (map.ceiling.values[i] - map.range.begin);
   }
-  const auto openings =
-      regionOpenings({occupancy, map.range, map.ceiling, map.labels, map.free_labels});
+  const auto openings = regionOpenings(borderMap(map, occupancy));
   const auto merged = mergeNiches(openings, area, volume);
   if (merged != asBefore(map.room_count))
     relabel(numbersOf(map.labels, merged), map);
@@ -323,7 +322,8 @@ divideOpenPlans(const StoreySpace& space,
   MergeOptions all;
   all.open_share = all.open_height = 0.0;
   const auto space_of = mergeOpenRegions(
-      regionBorders({space.occupancy, map.range, map.ceiling, grown, pieces}),
+      regionBorders(
+          {space.occupancy, map.range, map.ceiling, grown, pieces, map.blocked}),
       sectionAreas(pieces, field, map, size),
       all,
       0.0,
@@ -382,14 +382,15 @@ segmentRoomMap(const StoreySpace& space, const RoomMapOptions& options, int thre
       size,
       options);
   dropSmall(size, options.min_area, map.free_labels);
-  joinOpenRegions(occupancy, options, map);
+  map.room_count =
+      *std::max_element(map.free_labels.values.begin(), map.free_labels.values.end());
   divideAtInnerWalls(map.free_labels,
                      map.room_count,
                      space.interior.directions,
                      voxelsIn(thickest_wall, size),
                      options.open_plan.min_wall_share,
                      options.open_plan.habitable_area / (size * size));
-  growIntoWalls(options.reach / size, map);
+  joinOpenRegions(occupancy, options, map);
   divideOpenPlans(space, options, threads, map);
   joinNiches(occupancy, map);
   return map;

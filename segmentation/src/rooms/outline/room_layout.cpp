@@ -194,8 +194,7 @@ addOpenings(const std::vector<Eigen::Vector3f>& points,
   const double size = building.occupancy.grid.voxel_size;
   const auto& room_of = building.room_of.back();
   const FloorPlane on_floor(building.occupancy, map);
-  const auto found = regionOpenings(
-      {space.occupancy, map.range, map.ceiling, map.labels, map.free_labels});
+  const auto found = regionOpenings(borderMap(map, space.occupancy));
   const OpeningPosts unseen(found, building.occupancy, map);
   OpeningPosts posts = unseen;
   parallelFor(

@@ -23,6 +23,7 @@ struct TwoSpaces {
   VoxelMap<std::uint8_t> occupancy;
   PixelMap<int> ceiling;
   PixelMap<std::int32_t> labels, free_labels;
+  PixelMap<std::uint8_t> blocked; ///< the wall's columns
 
   /** \param[in] faces x of the wall's faces */
   explicit TwoSpaces(const std::vector<int>& faces, int nx = 60, int ny = 30)
@@ -31,6 +32,7 @@ struct TwoSpaces {
     occupancy.voxel_size = 0.1;
     occupancy.values.assign(occupancy.shape.size(), 0);
     ceiling = {nx, ny, std::vector<int>(occupancy.shape.size() / 30, ceiling_layer)};
+    blocked = PixelMap<std::uint8_t>::filled(nx, ny, 0);
     labels = free_labels = {nx, ny, RegionLabels(ceiling.size(), 0)};
     for (int x = 0; x < nx; ++x)
       for (int y = 0; y < ny; ++y) {
@@ -39,6 +41,8 @@ struct TwoSpaces {
         labels.at(x, y) = 2 * x <= faces.front() + faces.back() ? 1 : 2;
         if (x < faces.front() || x > faces.back())
           free_labels.at(x, y) = labels.at(x, y);
+        else
+          blocked.at(x, y) = 1;
       }
     for (const int x : faces)
       set(x, x, 0, ny - 1, floor_layer, ceiling_layer, 1);
@@ -56,13 +60,13 @@ struct TwoSpaces {
   std::vector<RegionOpening>
   openings() const
   {
-    return regionOpenings({occupancy, {0, 30}, ceiling, labels, free_labels});
+    return regionOpenings({occupancy, {0, 30}, ceiling, labels, free_labels, blocked});
   }
 
   std::vector<RegionBorder>
   borders() const
   {
-    return regionBorders({occupancy, {0, 30}, ceiling, labels, free_labels});
+    return regionBorders({occupancy, {0, 30}, ceiling, labels, free_labels, blocked});
   }
 };
 
@@ -169,10 +173,12 @@ TEST(RegionBorders, AlongTheOtherAxisItIsTheSame)
   turned.occupancy.shape = {30, 60, 30};
   turned.ceiling.nx = turned.labels.nx = turned.free_labels.nx = 30;
   turned.ceiling.ny = turned.labels.ny = turned.free_labels.ny = 60;
+  turned.blocked = PixelMap<std::uint8_t>::filled(30, 60, 0);
   for (int x = 0; x < 60; ++x)
     for (int y = 0; y < 30; ++y) {
       turned.labels.at(y, x) = spaces.labels.at(x, y);
       turned.free_labels.at(y, x) = spaces.free_labels.at(x, y);
+      turned.blocked.at(y, x) = spaces.blocked.at(x, y);
       for (int z = 0; z < 30; ++z)
         turned.occupancy.at(y, x, z) = spaces.occupancy.at(x, y, z);
     }
@@ -223,6 +229,32 @@ TEST(RegionBorders, WithoutAWallItIsOpen)
   EXPECT_NEAR(borders[0].opening_area, 3.0 * 2.5, 1e-9);
 }
 
+TEST(RegionBorders, FurnitureAndPeopleAreNoWalls)
+{
+  const auto openTo = [](int low, int high, bool is_blocked) {
+    TwoSpaces spaces({30});
+    spaces.set(30, 30, 0, 29, 1, 25, 0);
+    spaces.set(30, 30, 0, 29, low, high, 1);
+    for (int y = 0; y < 30; ++y)
+      spaces.blocked.at(30, y) = is_blocked;
+    return spaces.borders()[0].open_area;
+  };
+  EXPECT_NEAR(openTo(1, 10, false), 3.0 * 2.5, 1e-9); // a sideboard of 1 m
+  EXPECT_NEAR(openTo(9, 17, false), 3.0 * 2.5, 1e-9); // the trail of somebody's trunk
+  EXPECT_NEAR(openTo(9, 17, true), 3.0 * 1.6, 1e-9);  // below a wall or a lintel
+  EXPECT_NEAR(openTo(1, 17, false), 3.0 * 0.8, 1e-9); // a wall seen up to 1.7 m
+}
+
+TEST(RegionOpenings, FurnitureIsInTheWay)
+{
+  TwoSpaces spaces({30});
+  spaces.set(30, 30, 0, 29, 1, 25, 0);
+  spaces.set(30, 30, 0, 29, 1, 10, 1); // a sideboard
+  for (int y = 0; y < 30; ++y)
+    spaces.blocked.at(30, y) = 0;
+  EXPECT_TRUE(spaces.openings().empty()); // nobody passes
+}
+
 TEST(RegionBorders, OnlyTheStoreyCounts)
 {
   TwoSpaces spaces({30});
@@ -258,7 +290,9 @@ TEST(RegionBorders, PairsInOrderAndNoneWithoutRegions)
   EXPECT_TRUE(spaces.borders().empty());
   const VoxelBits no_voxels;
   const PixelMap<int> nothing;
-  EXPECT_TRUE(regionBorders({no_voxels, {}, nothing, nothing, nothing}).empty());
+  const PixelMap<std::uint8_t> no_walls;
+  EXPECT_TRUE(
+      regionBorders({no_voxels, {}, nothing, nothing, nothing, no_walls}).empty());
 }
 
 TEST(MergeOpenRegions, AtTheThreshold)
