@@ -3,21 +3,22 @@
 # Copyright (c) 2026, the pcl_indoor contributors
 """How steadily maps of real lidars come out as rooms, when they are disturbed a little.
 
-    disturbed_maps.py TOOLS_FOLDER MAPS_FOLDER [-each]
+    disturbed_maps.py TOOLS_FOLDER MAPS_FOLDER [-turn DEGREES] [-seed N] [-each]
 
 TOOLS_FOLDER holds pcl_room_segmentation. MAPS_FOLDER holds maps, NAME.pcd, and
 regions.json: {NAME: {"regions": {REGION: [polygon, ...]}, "apart": [[REGION, REGION], ...]}},
-x and y in metres. Each map is turned, mirrored, thinned, made noisy and cut in 23 ways. A
-region is whole if one room holds at least 80 % of its points, and these are at least half
-of the points that the room has in any region. Two regions are apart if their largest
-rooms differ and hold at least half of them. Rooms beyond the regions are further ones.
-Needs numpy.
+x and y in metres. Each map is turned, mirrored, thinned, made noisy and cut in 23 ways;
+-turn adds to all angles, -seed draws other points and noise. A region is whole if one
+room holds at least 80 % of its points, and these are at least half of the points that the
+room has in any region. Two regions are apart if their largest rooms differ and hold at
+least half of them. Rooms beyond the regions are further ones. Needs numpy.
 """
 import argparse
 import json
 import os
 import subprocess
 import tempfile
+from functools import partial
 
 import numpy
 
@@ -30,7 +31,7 @@ def turned(places, degrees, side=1):
     return numpy.stack([cosine * x - sine * y, sine * x + cosine * y, places[:, 2]], 1)
 
 
-def means_of_cells(places, size, random):
+def means_of_cells(places, random, size):
     """One point per cell of a grid that begins anywhere."""
     cells = numpy.floor((places + size * random.random(3)) / size).astype(numpy.int64)
     cell = numpy.unique(cells, axis=0, return_inverse=True)[1].ravel()
@@ -38,7 +39,7 @@ def means_of_cells(places, size, random):
     return numpy.stack([numpy.bincount(cell, places[:, k]) / count for k in range(3)], 1)
 
 
-def between(places, low, high):
+def between(places, random, low, high):
     """What lies between two shares of the height."""
     bottom, top = numpy.percentile(places[:, 2], [1, 99])
     share = (places[:, 2] - bottom) / (top - bottom)
@@ -46,28 +47,26 @@ def between(places, low, high):
 
 
 def disturbances():
-    """By name: what it leaves of the points, how it moves them, by how many degrees it turns them, and if it mirrors."""
+    """By name: what is kept of the points, how noisy they are, metres, by how many degrees they are turned, and if they
+    are mirrored (-1)."""
     def all_of(places, random):
         return places
 
-    def still(places, random):
-        return places
+    def thinned(places, random, share):
+        return places[random.random(len(places)) < share]
 
     for degrees in range(0, 360, 40):
-        yield f"turned {degrees}", all_of, still, degrees, 1
+        yield f"turned {degrees}", all_of, 0, degrees, 1
     for degrees in (10, 100, 190):
-        yield f"mirrored {degrees}", all_of, still, degrees, -1
+        yield f"mirrored {degrees}", all_of, 0, degrees, -1
     for share, degrees in ((0.7, 15), (0.5, 50), (0.35, 95)):
-        yield (f"thinned to {share}", lambda places, random, share=share: places[random.random(len(places)) < share],
-               still, degrees, 1)
+        yield f"thinned to {share}", partial(thinned, share=share), 0, degrees, 1
     for size, degrees in ((0.08, 25), (0.12, 65), (0.16, 110)):
-        yield (f"cells of {size} m", lambda places, random, size=size: means_of_cells(places, size, random),
-               still, degrees, 1)
+        yield f"cells of {size} m", partial(means_of_cells, size=size), 0, degrees, 1
     for noise, degrees in ((0.01, 35), (0.02, 85), (0.03, 5)):
-        yield (f"noise of {noise} m", all_of,
-               lambda places, random, noise=noise: places + random.normal(0, noise, places.shape), degrees, 1)
-    yield "without the top 15 %", lambda places, random: between(places, 0, 0.85), still, 30, 1
-    yield "without the lowest 10 %", lambda places, random: between(places, 0.1, 1), still, 60, 1
+        yield f"noise of {noise} m", all_of, noise, degrees, 1
+    yield "without the top 15 %", partial(between, low=0, high=0.85), 0, 30, 1
+    yield "without the lowest 10 %", partial(between, low=0.1, high=1), 0, 60, 1
 
 
 def judged(region, room, names, apart):
@@ -89,6 +88,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tools")
     parser.add_argument("maps")
+    parser.add_argument("-turn", type=float, default=0, help="degrees (default: 0)")
+    parser.add_argument("-seed", type=int, default=7, help="of the random numbers (default: 7)")
     parser.add_argument("-each", action="store_true", help="a row for each disturbed map")
     arguments = parser.parse_args()
     with open(os.path.join(arguments.maps, "regions.json"), encoding="utf-8") as file:
@@ -100,14 +101,14 @@ def main():
         source = numpy.stack(source, 1).astype(float)
         apart = truth["apart"]
         row = numpy.zeros(6, int)
-        for what, kept, moved, degrees, side in disturbances():
-            random = numpy.random.default_rng(7)
+        for what, kept, noise, degrees, side in disturbances():
+            random = numpy.random.default_rng(arguments.seed)
             places = kept(source, random)
             region = numpy.zeros(len(places), int)
             for number, polygons in enumerate(truth["regions"].values(), 1):
                 for polygon in polygons:
                     region[inside(polygon, places[:, 0], places[:, 1])] = number
-            places = turned(moved(places, random), degrees, side)
+            places = turned(places + random.normal(0, noise, places.shape), degrees + arguments.turn, side)
             with tempfile.TemporaryDirectory() as folder:
                 scan, rooms = os.path.join(folder, "scan.pcd"), os.path.join(folder, "rooms.pcd")
                 write_points(scan, dict(zip("xyz", places.T), region=region))
