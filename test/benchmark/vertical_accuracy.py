@@ -40,6 +40,11 @@ def found_vertical(tools, places):
     return up / numpy.linalg.norm(up)
 
 
+def tell(name, errors):
+    print(f"| {name} | {len(errors)} | {numpy.median(errors):.2f} | {numpy.quantile(errors, 0.9):.2f} | {max(errors):.2f} |",
+          flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tools")
@@ -49,7 +54,7 @@ def main():
     arguments = parser.parse_args()
     random = numpy.random.default_rng(arguments.seed)
     errors = []
-    print("| scan | median error, degrees | largest |\n| --- | ---: | ---: |", flush=True)
+    print("| scan | tilts | median error, degrees | nine of ten below | largest |\n| --- | ---: | ---: | ---: | ---: |")
     for scan in arguments.scans:
         places = numpy.stack(read_fields(scan, "xyz"), 1).astype(float)
         of_scan = []
@@ -57,10 +62,9 @@ def main():
             turn = tilting(random)
             cosine = abs(found_vertical(arguments.tools, places @ turn.T) @ turn[:, 2])
             of_scan.append(numpy.degrees(numpy.arccos(min(1, cosine))))
-        print(f"| {name_of(scan)} | {numpy.median(of_scan):.2f} | {max(of_scan):.2f} |", flush=True)
+        tell(name_of(scan), of_scan)
         errors += of_scan
-    print(f"| all {len(errors)} | {numpy.median(errors):.3f} | {max(errors):.2f} |")
-    print(f"| nine of ten are below | {numpy.quantile(errors, 0.9):.3f} | |")
+    tell("all", errors)
 
 
 main()
