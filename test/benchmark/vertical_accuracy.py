@@ -36,8 +36,11 @@ def found_vertical(tools, places):
                        stderr=subprocess.DEVNULL)
         with open(result, encoding="utf-8") as file:
             parameters = dict(part.split(" ", 1) for part in json.load(file)["parameters"].split(", "))
-    up = numpy.array([float(number) for number in parameters["-up"].split(",")])
-    return up / numpy.linalg.norm(up)
+    up = parameters["-up"]
+    if up[-1] in "xyz":  # an axis: the scan was taken as level
+        return numpy.eye(3)["xyz".index(up[-1])]
+    direction = numpy.array([float(number) for number in up.split(",")])
+    return direction / numpy.linalg.norm(direction)
 
 
 def tell(name, errors):
